@@ -15,7 +15,7 @@ SUFFIXES = (".cpp", ".h")
 
 
 def files_by_room(package, layer):
-    """Maps each file of src/<layer> to its room, and each header of the API to the room of its source."""
+    """Maps each file of src/<layer> to its room, and each API header to the room of its source."""
     root = package / "src" / layer
     rooms = {file: str(file.parent.relative_to(root)) for file in root.rglob("*") if file.suffix in SUFFIXES}
     sources = {file.stem: room for file, room in rooms.items()}
@@ -40,7 +40,7 @@ def arrows(package, layer):
 
 
 def circles(graph):
-    """The arrows that are part of a circle."""
+    """Returns the arrows that are part of a circle."""
 
     def reaches(start, goal, seen):
         seen.add(start)

@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
-"""Lists each failed test with the start of its reason, and each test that was skipped without a reason.
+"""Lists each failed test with the start of its reason, and each test skipped without a reason.
 
-A suite whose set-up failed skips its tests in this way, and nothing else shows it. The exit code is 1 if there are any.
+A suite whose set-up failed skips its tests like this, and nothing else shows it. The exit code is 1 if there are any.
 
 Usage: failed_tests.py DIR
 
-DIR holds the result files that `make test` leaves (build/test_results)."""
+DIR is the folder of result files from `make test` (build/test_results)."""
 
 import pathlib
 import sys

@@ -10,7 +10,7 @@ import tempfile
 from PIL import Image
 
 STAGES = ['part', 'teach', 'scan', 'refused', 'clean', 'fit', 'path', 'not_worked', 'work', 'history', 'new_path',
-          'passes']  # as test_shift.cpp takes them
+          'passes']  # as in test_shift.cpp
 SECONDS = 2.5  # for each; chosen
 COLOURS = 64  # enough for widgets; keeps the file small
 MAX_BYTES = 3e6

@@ -8,7 +8,7 @@ import argparse
 import matplotlib
 
 matplotlib.use('Agg')
-import matplotlib.pyplot as plt  # noqa: E402 (the backend is chosen first: there may be no display)
+import matplotlib.pyplot as plt  # noqa: E402 (the backend must be chosen first: there may be no display)
 import numpy as np  # noqa: E402
 from scan_cell_common.command_line import add_version  # noqa: E402
 from scan_cell_common.ply import read_points  # noqa: E402
@@ -59,7 +59,7 @@ def show_top(axes, object_cloud, adapted, truth):
 
 
 def distances_to_line(points, line):
-    """Of each point from the nearest place of a line [m]."""
+    """Distance of each point from the nearest point of a line [m]."""
     start, step = line[:-1], np.diff(line, axis=0)
     squared = np.maximum((step ** 2).sum(axis=1), 1e-30)
     nearest = []

@@ -1,6 +1,6 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Trigger, simulated camera, binder and triangulation, over a floor that the simulator knows.
+// Trigger, simulated camera, binder and triangulation, over a floor known from the simulator.
 #include <gtest/gtest.h>
 
 #include "bench/alternating_chain.h"
@@ -37,7 +37,7 @@ TEST(AlternatingLasers, GiveNoPointAtAllWhereTheLatencyIsWrongByAPulse) {
     const AlternatingResult result = run(scan);
     EXPECT_GT(result.frames, 100U);
     EXPECT_EQ(result.wrong, 0U) << latency;
-    if (result.missed == 0) {  // a busy machine leaves pulses out
+    if (result.missed == 0) {  // a busy machine skips pulses
       EXPECT_EQ(result.bound, 0U) << latency;
     }
   }

@@ -57,7 +57,7 @@ TEST(CompareLines, FindsWhatOnlyTheTruthCovers) {
 }
 
 TEST(CompareWay, MeasuresFromEachTrueWaypointToTheWayOfTheTip) {
-  // beside the path by 0.3 mm, and 4 mm too short; sampled elsewhere than at the waypoints
+  // 0.3 mm beside the path, and 4 mm too short; not sampled at the waypoints
   const std::vector<Eigen::Vector3d> way = {{-0.01, 3e-4, 0}, {0.07, 3e-4, 0}, {0.196, 3e-4, 0}};
   const auto error = scan_cell_demo::compare_way(way, three_waypoints());
   const double last = std::hypot(4e-3, 3e-4);

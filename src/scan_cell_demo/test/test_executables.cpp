@@ -21,7 +21,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Every executable that the suite installs and that is built: benchmarks and fuzzers need not be.
+/// Every executable of the suite that is installed and built: benchmarks and fuzzers may be
+/// missing.
 std::set<std::string> installed_executables() {
   const std::regex installed(R"(DESTINATION "[^"]*/lib/[^"/]+" TYPE (EXECUTABLE|PROGRAM)[^"]*FILES)"
                              R"( "([^"]+)\")");
@@ -37,8 +38,8 @@ std::set<std::string> installed_executables() {
   return programs;
 }
 
-/// From here on this process and what it becomes are killed (SIGSYS) when they open a socket; those
-/// within the machine (AF_UNIX) are left: glog asks the name service for the user before main().
+/// From now on this process and its successor are killed (SIGSYS) if they open a socket, except
+/// local ones (AF_UNIX): glog asks the name service for the user before main().
 bool forbid_sockets() {
   sock_filter rules[] = {
       BPF_STMT(BPF_LD | BPF_W | BPF_ABS, offsetof(seccomp_data, nr)),
@@ -54,17 +55,17 @@ bool forbid_sockets() {
 }
 
 struct Answer {
-  int status;        //!< as waitpid() gives it
+  int status;        //!< from waitpid()
   std::string text;  //!< of both outputs
 };
 
-/// Runs a program in a folder, with one word, no ROS master, and no way to open a socket.
+/// Runs a program in a folder, with one argument, no ROS master, and without access to sockets.
 Answer ask(const std::string& program, const char* question, const fs::path& folder) {
   int ends[2];
   if (pipe(ends) != 0) throw std::runtime_error("no pipe");
   const pid_t child = fork();
   if (child == 0) {
-    constexpr unsigned kLongest = 30;  // [s] on a machine that is busy
+    constexpr unsigned kLongest = 30;  // [s] on a busy machine
     const bool ready = dup2(ends[1], STDOUT_FILENO) >= 0 && dup2(ends[1], STDERR_FILENO) >= 0 &&
                        dup2(open("/dev/null", O_RDONLY), STDIN_FILENO) >= 0 &&
                        chdir(folder.c_str()) == 0 && unsetenv("ROS_MASTER_URI") == 0 &&

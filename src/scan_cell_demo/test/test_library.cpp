@@ -19,7 +19,7 @@ namespace {
 
 const char* const kNotInACore = "libros|librosc|libxmlrpcpp|libtf2|libvtk|libQt";
 
-/// The suite's cores as a program outside finds them: in a shell without ROS.
+/// The suite's cores as seen by an outside program: in a shell without ROS.
 class Library : public testing::Test {
  protected:
   void SetUp() override {
@@ -45,7 +45,7 @@ class Library : public testing::Test {
            run("cmake --build " + file("build"));
   }
 
-  /// A frame, the same frame bent, and a tool path on the first, all of the simulator.
+  /// A frame, the same frame bent, and a tool path on the first, all from the simulator.
   void write_parts() const {
     const auto reference = scan_cell_sim::load_world(WORLDS "/reference_frame.yaml");
     const auto object = scan_cell_sim::load_world(WORLDS "/object_frame.yaml");
@@ -72,7 +72,7 @@ class Library : public testing::Test {
     scan_cell_common::save_cloud(file(name), cloud);
   }
 
-  /// [m] from where the simulator knows the waypoints to belong.
+  /// [m] from the waypoints' true places in the simulator.
   double path_rms() const {
     const auto adapted = scan_cell_sim::load_tool_path(file("adapted.csv"));
     const auto truth = scan_cell_sim::load_tool_path(file("truth.csv"));

@@ -30,7 +30,7 @@ std::string config(const std::string& name) {
   return ros::package::getPath("scan_cell_sim") + "/config/" + name;
 }
 
-/// The clean cloud's points know their pass as the bag tells it, whatever the trigger's armings.
+/// The clean cloud's points have the bag's pass, whatever the trigger's armings.
 void expect_all_of_pass(int pass, const std::string& file) {
   scan_cell_common::FieldedCloud cloud;
   scan_cell_common::load_cloud_file(file, {}, cloud);
@@ -78,7 +78,7 @@ class Replay : public testing::Test {
     scan_cell_common::save_cloud(path("sampled.ply"), sampled);
   }
 
-  /// Clean cloud of the reference, scanned as the object will be: replay leaves it beside its path.
+  /// Clean cloud of the reference, scanned like the object: replay leaves it beside its path.
   std::string scan_reference() const {
     scan_cell_demo::record_scan(path("reference.bag"), "reference", config("reference_frame.yaml"),
                                 1.7e9);
@@ -137,7 +137,7 @@ TEST_F(Replay, PlaysNothingBeforeAllWhoSubscribedAreConnected) {
   scan_cell_demo::record_scan(path("scan.bag"), "late", config("reference_frame.yaml"),
                               1.7e9 + 3000);
   save_sampled_reference();
-  // A node that has subscribed to the pulses and cannot be reached.
+  // A subscriber to the pulses that cannot be reached.
   XmlRpc::XmlRpcValue late, answer, payload;
   late[0] = "/late";
   late[1] = "/laser_trigger/events";

@@ -1,6 +1,6 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Each blow once; `make trials` does the same some hundred times.
+// Each blow once; `make trials` runs some hundreds.
 #include <gtest/gtest.h>
 #include <unistd.h>
 
@@ -20,8 +20,8 @@ namespace {
 constexpr std::uint16_t kTapPort = 15420;  // trials.launch
 constexpr std::uint16_t kCircuitPort = 5420;
 constexpr std::uint16_t kVideePort = 15421;  // trials.launch
-// With other programs beside it, that hold up the simulated controller; make trials has the cell's
-// own default and the goal. The driver alone would leave the lasers on for more than 0.5 s.
+// Other programs run beside this test and slow the simulated controller down; make trials uses the
+// cell's defaults and the goal. The driver alone would leave the lasers on for more than 0.5 s.
 const char* const kUnseenAfter = "unseen_after:=0.2";  // [s]
 const char* const kFollowWatch = "follow_watch:=0.2";  // [s]
 constexpr TrialLimits kLimits{0.4, 1.0};               // [s]
@@ -61,7 +61,7 @@ std::unique_ptr<LaserTap> Trials::tap_;
 std::unique_ptr<RunningCell> Trials::cell_;
 std::unique_ptr<TrialBench> Trials::bench_;
 
-/// Each blow at each moment at which it may come.
+/// Each blow at each of its possible moments.
 std::vector<Trial> every_trial() {
   std::vector<Trial> trials;
   for (const Blow blow : every_blow()) {

@@ -14,12 +14,12 @@ from scan_cell_common.command_line import add_version
 
 
 def is_there(own):
-    """An empty one is what rviz leaves that was killed while it saved."""
+    """Whether the copy exists. rviz leaves an empty file if it is killed while saving."""
     return os.path.exists(own) and os.path.getsize(own) > 0
 
 
 def copy_whole(settings, own):
-    """It is there whole, or not at all, and nothing else is left behind."""
+    """Copies the whole file or nothing, and leaves nothing else behind."""
     with open(settings, 'rb') as source, tempfile.TemporaryDirectory(dir=os.path.dirname(own)) as folder:
         copy = os.path.join(folder, 'copy')
         with open(copy, 'wb') as target:
@@ -28,7 +28,7 @@ def copy_whole(settings, own):
 
 
 def own_copy(settings):
-    """The file below ROS_HOME."""
+    """Returns the copy below ROS_HOME; makes it if needed."""
     own = os.path.join(rospkg.get_ros_home(), 'scan_cell_rviz', os.path.basename(settings))
     if is_there(own):
         return own
@@ -41,7 +41,7 @@ def own_copy(settings):
 
 
 def is_newer(settings, own):
-    """Where there are no settings any more, the copy will do."""
+    """Whether SETTINGS is newer than the copy. False if SETTINGS no longer exists."""
     return os.path.exists(settings) and os.path.getmtime(settings) > os.path.getmtime(own)
 
 

@@ -32,7 +32,7 @@ using scan_cell_common::Nanoseconds;
 using tecnogamma_camera::PeakProfile;
 
 constexpr double kHeight = 0.4;      // [m] of the camera; at 0.5 the planes of both lasers cross
-constexpr double kTolerance = 2e-3;  // [m] peaks are off by tenths of this, a wrong plane by 100 mm
+constexpr double kTolerance = 2e-3;  // [m] peaks are off by tenths of it, a wrong plane by 100 mm
 
 /// The camera looks straight down from its height.
 class Still : public scan_cell_sim::FlangeMotion {
@@ -65,7 +65,7 @@ scan_cell_sim::World floor_alone() {
   return world;
 }
 
-/// Binds frames to pulses, and makes points of the bound ones.
+/// Binds frames to pulses, and makes points of the bound frames.
 class Points {
  public:
   Points(const AlternatingScan& scan, const scan_cell_common::ScannerModel& model,
@@ -95,12 +95,12 @@ class Points {
   }
 
  private:
-  static constexpr Nanoseconds kAround = 1'000'000'000;  // [ns] it stands still all the time
+  static constexpr Nanoseconds kAround = 1'000'000'000;  // [ns] the flange never moves
 
   static pose_frame_binder::Settings settings(const AlternatingScan& scan) {
     pose_frame_binder::Settings settings;
     settings.camera_latency = scan.camera_latency;
-    settings.max_pose_gap = 10;  // [s] the flange stands still, whatever is lost
+    settings.max_pose_gap = 10;  // [s] the flange never moves, whatever is lost
     return settings;
   }
 
@@ -148,7 +148,7 @@ class Points {
   Nanoseconds last_ = 0;
 };
 
-/// The trigger on the circuit's wire, and the pulses that it sent since they were last taken.
+/// The trigger on the circuit's wire, and its pulses since they were last taken.
 class PulseSource {
  public:
   explicit PulseSource(std::uint16_t circuit)
@@ -185,7 +185,7 @@ class PulseSource {
   std::mutex mutex_;
   std::vector<Pulse> pulses_;
   std::atomic<std::uint64_t> last_{0};
-  PulseGenerator generator_;  // last: its thread uses all the rest
+  PulseGenerator generator_;  // last: its thread uses all other members
 };
 
 }  // namespace
@@ -207,7 +207,7 @@ AlternatingResult run(const AlternatingScan& scan) {
   result.swapped = std::numeric_limits<double>::infinity();
   Points points(scan, options.scanner, motion.flange_at(0), result);
   trigger.arm({scan.rate, 3, 0, true, true}, scan.pulses);
-  constexpr Nanoseconds kSilence = 1'000'000'000;  // [ns] after the last
+  constexpr Nanoseconds kSilence = 1'000'000'000;  // [ns] after the last pulse
   for (Nanoseconds heard = host_now(); host_now() - heard < kSilence;) {
     const auto frame = camera.next();
     for (const Pulse& pulse : trigger.take())

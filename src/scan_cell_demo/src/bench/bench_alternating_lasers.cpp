@@ -1,7 +1,8 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Points of the wrong laser's plane in a long scan with alternating lasers, by the simulator's
-// truth: trigger, simulated camera, peak detector, binder and triangulation as they are.
+// Counts points on the wrong laser's plane in a long scan with alternating lasers, by the
+// simulator's ground truth: trigger, simulated camera, peak detector, binder and triangulation are
+// those of the suite.
 #include <CLI/CLI.hpp>
 #include <cstdio>
 

@@ -1,7 +1,8 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
-// The error of a cloud by the method of binding, in the simulated cell on its real interfaces, next
-// to that with the true poses; and the delay of the poses, estimated from two scans and true.
+// The cloud's error for each method of binding, in the simulated cell on its real interfaces,
+// beside the error with the true poses; and the true delay of the poses beside its estimate from
+// two scans.
 #include <ros/package.h>
 
 #include <CLI/CLI.hpp>
@@ -29,7 +30,7 @@ std::string sim(const std::string& name) {
   return ros::package::getPath("scan_cell_sim") + "/config/" + name;
 }
 
-/// The flange 595 mm over the board: the light crosses the camera's axis on it.
+/// The flange 595 mm above the board, where the light crosses the camera's axis on the board.
 Eigen::Isometry3d over_board(double x, double y, double turn, double tilt) {
   using Eigen::AngleAxisd;
   using Eigen::Vector3d;
@@ -37,7 +38,7 @@ Eigen::Isometry3d over_board(double x, double y, double turn, double tilt) {
          AngleAxisd(M_PI, Vector3d::UnitX()) * AngleAxisd(tilt, Vector3d::UnitY());
 }
 
-/// On an arc about the robot's first axis, the line of light along the arm.
+/// Motion along an arc about the robot's first axis, with the line of light along the arm.
 Motion arc(double angle, const std::vector<double>& override) {
   const Eigen::Isometry3d base = scan_cell_sim::load_base_link_in_world(sim("cell.yaml"));
   Motion motion;
@@ -48,7 +49,7 @@ Motion arc(double angle, const std::vector<double>& override) {
   return motion;
 }
 
-/// Along x, while the flange turns and tilts.
+/// Motion along x, while the flange turns and tilts.
 Motion turning(double x, const std::vector<double>& override) {
   Motion motion;
   motion.target = over_board(x, 0, 1.6 * x, 0.6 * x);

@@ -26,7 +26,7 @@ struct Kinematics {
   Eigen::Vector3d acceleration = Eigen::Vector3d::Zero();  // [m/s^2]
 };
 
-/// By the frames' device times; without the first and the last.
+/// By device time of the frames, without the first and the last.
 std::map<std::uint64_t, Kinematics> kinematics(
     const std::map<std::uint64_t, Eigen::Isometry3d>& truth, const Eigen::Vector3d& carried) {
   std::map<std::uint64_t, Kinematics> all;
@@ -56,7 +56,7 @@ std::map<std::uint64_t, BoundProfileConstPtr> by_time(const Scan::Bound& bound) 
   return all;
 }
 
-/// Points of one method of binding; the same peaks give the same points in the same order.
+/// Makes points for one method of binding; equal peaks give equal points in the same order.
 class CloudMaker {
  public:
   CloudMaker(const scan_cell_common::ScannerModel& scanner,
@@ -102,7 +102,7 @@ CloudError error_of(const CloudMaker& cloud, const CloudMaker& perfect,
   return error;
 }
 
-/// Where the light meets the camera's axis, in the flange.
+/// The point where the light meets the camera's axis, in the flange.
 Eigen::Vector3d middle_of_line(const scan_cell_common::ScannerModel& scanner) {
   const scan_cell_common::LaserPlane& laser = scanner.laser(0);
   return scanner.flange_to_camera * Eigen::Vector3d(0, 0, laser.distance / laser.normal.z());

@@ -23,7 +23,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Writes what a scan needs to a bag, as launch/scan_cell.launch does with record:=.
+/// Records what a scan needs in a bag, as launch/scan_cell.launch does with record:=.
 class BagRecorder {
  public:
   BagRecorder(SimulatedCell& cell, const std::string& path) : bag_(path, rosbag::bagmode::Write) {
@@ -40,14 +40,14 @@ class BagRecorder {
   void record(ros::NodeHandle& node, const std::string& topic) {
     const boost::function<void(const boost::shared_ptr<const Message>&)> write =
         [this, topic](const boost::shared_ptr<const Message>& message) {
-          const std::lock_guard<std::mutex> lock(mutex_);  // the cell has two threads for callbacks
+          const std::lock_guard<std::mutex> lock(mutex_);  // the cell has two callback threads
           bag_.write(topic, ros::Time::now(), message);
         };
     constexpr std::uint32_t kUnbounded = 0;
     subscribers_.push_back(node.subscribe<Message>(topic, kUnbounded, write));
   }
 
-  std::mutex mutex_;  // of the bag
+  std::mutex mutex_;  // guards the bag
   rosbag::Bag bag_;
   std::vector<ros::Subscriber> subscribers_;  // destroyed before the bag is closed
 };
@@ -94,7 +94,7 @@ DelayTrial try_delay(SimulatedCell& cell, const Motion& there, const Motion& bac
   const std::string said =
       said_by("rosrun pose_frame_binder estimate_time_offset --camera-latency 0 --forward " +
               forward + " --backward " + backward + " --scanner " + scanner);
-  fs::remove_all(folder);  // if the command fails they stay for inspection
+  fs::remove_all(folder);  // kept for inspection if the command fails
   DelayTrial trial = figures_in(said);
   trial.truth = (truth_there + truth_back) / 2;
   return trial;

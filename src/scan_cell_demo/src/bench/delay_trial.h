@@ -8,7 +8,7 @@
 
 namespace scan_cell_demo {
 
-/// The delay of the poses, estimated from two recorded scans with the suite's own command.
+/// The delay of the poses, estimated from two recorded scans by the suite's own command.
 struct DelayTrial {
   double truth = 0;        //!< [s] by the simulator's true poses, see true_pose_delay()
   double estimate = 0;     //!< [s]
@@ -16,7 +16,7 @@ struct DelayTrial {
 };
 
 /// Scans there and back, and runs `estimate_time_offset`.
-/// @param scanner the scanner model's file
+/// @param scanner file of the scanner model
 /// @throw scan_cell_common::Refused if the command fails
 DelayTrial try_delay(SimulatedCell& cell, const Motion& there, const Motion& back, double rate,
                      const std::string& scanner);

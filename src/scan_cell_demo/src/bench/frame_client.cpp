@@ -9,7 +9,7 @@
 namespace scan_cell_demo {
 namespace {
 
-constexpr guint64 kPatience = 20000;  // [us] of one look
+constexpr guint64 kPatience = 20000;  // [us] to wait for a frame
 
 void fail(GError* error, const std::string& address) {
   const std::string text = error == nullptr ? "does not answer" : error->message;

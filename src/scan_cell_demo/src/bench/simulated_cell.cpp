@@ -202,7 +202,7 @@ void SimulatedCell::finish_stages(std::uint64_t pulses) {
   scan_cell_msgs::FinishCloud::Request cloud;
   cloud.profiles = interpolated.frames_bound;
   cloud.timeout = ros::Duration(5);
-  cloud.partial = true;  // keeps it from the later stages
+  cloud.partial = true;  // skips the later stages
   call<scan_cell_msgs::FinishCloud>("/laser_triangulation/finish", cloud, kPatience);
   wait_until("the bound profiles", [&] {
     return scan_.interpolated.profiles.size() == interpolated.frames_bound &&

@@ -25,16 +25,16 @@ namespace scan_cell_demo {
 struct Motion {
   std::string name;
   Eigen::Isometry3d target = Eigen::Isometry3d::Identity();  //!< tool0 in world
-  bool in_joints = false;                //!< moves all axes together, otherwise along a line
+  bool in_joints = false;                //!< all axes together; false: along a line
   double speed = 0.25;                   //!< [m/s] along a line
   double acceleration = 1;               //!< [m/s^2] along a line
-  std::vector<double> override = {100};  //!< [%] one after the other, each for `hold`
+  std::vector<double> override = {100};  //!< [%] in turn, each for `hold`
   double hold = 0.4;                     //!< [s]
 
   EIGEN_MAKE_ALIGNED_OPERATOR_NEW
 };
 
-/// The frames of one scan, as bound by two binders, and their true poses.
+/// The frames of one scan, bound by two binders, and their true poses.
 struct Scan {
   struct Bound {
     std::vector<scan_cell_msgs::BoundProfileConstPtr> profiles;
@@ -45,15 +45,15 @@ struct Scan {
   std::map<std::uint64_t, Eigen::Isometry3d> truth;  //!< tool0 in world, by device time [ns]
 };
 
-/// The shipped cell with simulated hardware, in its own processes under its own ROS master, with
-/// this program as another node.
+/// The shipped cell with simulated hardware, in its own processes under its own ROS master. This
+/// program is another node.
 class SimulatedCell {
  public:
   /// @param launch_file of the cell
-  /// @throw scan_cell_common::Refused if it does not come up
+  /// @throw scan_cell_common::Refused if the cell does not come up
   explicit SimulatedCell(const std::string& launch_file);
 
-  /// Returns when the robot stands still.
+  /// Moves the flange and waits until the robot stands still.
   void move(const Motion& motion);
 
   /// Scans with laser_0 from before the motion until after it.
@@ -63,8 +63,8 @@ class SimulatedCell {
   static void load_world(const std::string& path);
   static void set_controller_parameter(const std::string& name, const std::string& json);
 
-  /// Delays everything that the controller sends [s]. Returns when the driver's map of the clocks
-  /// holds no earlier message.
+  /// Delays all messages from the controller [s]. Returns when the driver's map of the clocks
+  /// contains no earlier message.
   static void delay_controller(double delay);
 
   ros::NodeHandle& node() { return node_; }
@@ -83,7 +83,7 @@ class SimulatedCell {
   StartedCell started_;
   ros::NodeHandle node_;
   Eigen::Isometry3d base_link_;  // in world
-  std::mutex mutex_;             // of the next two
+  std::mutex mutex_;             // guards the next two
   Scan scan_;
   bool connected_ = false;
   std::vector<ros::Subscriber> subscribers_;

@@ -55,7 +55,8 @@ PathError compare(const ToolPath& path, const ToolPath& truth) {
 
 namespace {
 
-/// Of each waypoint from the nearest of the others; of the orientation the tool's axis.
+/// Distances of waypoints from the nearest of others; of the orientation only the tool's axis
+/// counts.
 PathError off_nearest(const std::vector<const Waypoint*>& from,
                       const std::vector<const Waypoint*>& to) {
   PathError error;

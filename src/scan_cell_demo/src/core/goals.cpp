@@ -12,7 +12,7 @@ namespace {
 constexpr double kMinShareBound = 0.9;  // a busy computer drops some
 using scan_cell_common::kMillimetres;
 
-/// Adds a sentence where a distance is above its most, or unknown.
+/// Adds a sentence if a distance exceeds its limit or is unknown.
 void check_distance(const std::string& what, const std::string& mean, double distance, double most,
                     std::vector<std::string>& missed) {
   if (distance <= most) return;

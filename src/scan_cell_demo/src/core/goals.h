@@ -8,20 +8,20 @@
 
 namespace scan_cell_demo {
 
-/// What the demo measures of an accepted path.
+/// Measurements of an accepted path by the demo.
 struct Figures {
   double cloud_rms = 0;                    //!< [m] of the worse cloud from the true surfaces
   double path_rms = 0;                     //!< [m] of the adapted path from the true one
-  double path_max = 0;                     //!< [m] of its farthest waypoint
+  double path_max = 0;                     //!< [m] of the farthest waypoint
   bool worked = false;                     //!< the robot followed the path
   double tip_rms = 0;                      //!< [m] of the true tip's way from the true path
-  double tip_max = 0;                      //!< [m] of its farthest waypoint
+  double tip_max = 0;                      //!< [m] of the farthest waypoint
   std::uint64_t pulses = 0;                //!< sent to the camera
   std::uint64_t frames_bound = 0;          //!< to a pose
-  std::uint64_t frames_accounted_for = 0;  //!< not bound, named with a reason
+  std::uint64_t frames_accounted_for = 0;  //!< not bound, but named with a reason
 };
 
-/// What an accepted path and its clouds must reach, with the demo's own as defaults.
+/// Goals for an accepted path and its clouds; the defaults are the demo's.
 struct Goals {
   double cloud_rms = 0.1e-3;  //!< [m] at most
   double path_rms = 0.2e-3;   //!< [m] at most
@@ -30,8 +30,8 @@ struct Goals {
   double tip_max = 0.8e-3;    //!< [m] at most
 };
 
-/// The goals that were missed, one sentence each; among them, that every pulse is bound to a pose
-/// or accounted for, and nearly all of them are bound.
+/// The goals that were missed, one sentence each. Two further goals: every pulse is bound to a pose
+/// or accounted for, and nearly all are bound.
 std::vector<std::string> missed_goals(const Figures& figures, const Goals& goals);
 
 }  // namespace scan_cell_demo

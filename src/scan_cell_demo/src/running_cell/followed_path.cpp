@@ -32,7 +32,7 @@ FollowedPath::FollowedPath(ros::NodeHandle node, const std::vector<Eigen::Isomet
 }
 
 scan_cell_msgs::FollowGoal FollowedPath::goal(const Eigen::Isometry3d& from) const {
-  constexpr double kThere = 1e-3;  // [m] two waypoints in one place are no path
+  constexpr double kThere = 1e-3;  // [m] two waypoints in one place make no path
   const Eigen::Isometry3d flange_to_tip(Eigen::Translation3d(0, 0, kTipLength));
   scan_cell_msgs::FollowGoal goal;
   goal.header.frame_id = "base_link";

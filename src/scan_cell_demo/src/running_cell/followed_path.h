@@ -17,21 +17,21 @@
 
 namespace scan_cell_demo {
 
-/// A path of the tool that the driver of a running simulated cell follows, with the simulator's
-/// ground truth of how it ended. Callbacks must be served by another thread (ros::AsyncSpinner).
+/// A tool path followed by the driver of a running simulated cell, with the simulator's ground
+/// truth of how it ended. Callbacks must be served by another thread (ros::AsyncSpinner).
 class FollowedPath {
  public:
   using Nanoseconds = scan_cell_common::Nanoseconds;
 
-  /// @param line two poses of the flange in base_link, between which the path goes to and fro
+  /// @param line two poses of the flange in base_link; the path goes to and fro between them
   FollowedPath(ros::NodeHandle node, const std::vector<Eigen::Isometry3d>& line);
 
-  /// Sends the path, with an output on all along. It begins where the flange stands.
+  /// Sends the path, with an output on throughout. It begins at the flange's present pose.
   /// @throw scan_cell_common::Error if the driver is not there, or has no pose
   void start();
 
   /// Waits until `share` (0 .. 1) of the path is done.
-  /// @throw EndedBefore if it ends before that
+  /// @throw EndedBefore if the path ends earlier
   void wait_for_share(double share);
 
   void cancel() { client_.cancel(); }
@@ -40,17 +40,17 @@ class FollowedPath {
   /// @return null if the driver died, and the result with it
   scan_cell_msgs::FollowResultConstPtr end();
 
-  /// How the robot came to rest, by the truth.
+  /// How the robot stopped, by the ground truth.
   struct Rest {
-    double outputs_on = 0;  //!< [s] after an instant, until no output was on any more
-    double moving = 0;      //!< [s] after it, until the flange stood
+    double outputs_on = 0;  //!< [s] after the instant, until no output was on
+    double moving = 0;      //!< [s] after the instant, until the flange stood still
   };
-  /// Waits until the simulator has told of a time after that with all outputs off.
-  /// @param struck host time
-  /// @throw scan_cell_common::Refused if it does not within a minute
+  /// Waits for a message of the simulator after that instant with all outputs off.
+  /// @param struck host time of the instant
+  /// @throw scan_cell_common::Refused if none comes within a minute
   Rest rest(Nanoseconds struck) const;
 
-  /// Whether an output is on now, as the simulator says, and how often one went on.
+  /// Whether an output is on now in the simulator, and how often one was switched on.
   bool is_on() const;
   int switched_on() const;
 
@@ -68,8 +68,8 @@ class FollowedPath {
   const std::vector<Eigen::Isometry3d> line_;
   mutable std::mutex mutex_;
   double progress_ = 0;            // 0 .. 1
-  bool on_ = false;                // an output is
-  int switched_on_ = 0;            // times
+  bool on_ = false;                // an output is on
+  int switched_on_ = 0;            // number of times
   Nanoseconds off_since_ = 0;      // host time
   Nanoseconds outputs_heard_ = 0;  // host time
   std::deque<Place> places_;       // since start()

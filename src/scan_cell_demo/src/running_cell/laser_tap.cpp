@@ -65,7 +65,7 @@ void LaserTap::listen() {
     std::uint8_t data = 0;
     const auto datagram = socket_.receive(&data, 1);
     if (!datagram || datagram->size != 1) continue;
-    socket_.send(&data, 1, circuit_);  // a circuit that is not there does not matter here
+    socket_.send(&data, 1, circuit_);  // a missing circuit does not matter here
     take(data, datagram->receipt.value_or(host_now()));
   }
 }

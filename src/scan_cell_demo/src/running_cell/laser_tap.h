@@ -13,24 +13,25 @@
 
 namespace scan_cell_demo {
 
-/// A tap on the wire from the trigger's node to the trigger circuit: it hands each byte on and
-/// knows, by the kernel's time of receipt, when lasers went on and off, whoever else is dead.
+/// A tap on the wire from the trigger's node to the trigger circuit. It forwards each byte and
+/// records, by the kernel's time of receipt, when lasers went on and off, even if other nodes are
+/// dead.
 class LaserTap {
  public:
   /// Listens on one UDP port of 127.0.0.1 and sends to another.
-  /// @throw scan_cell_common::ConnectionError if the port cannot be had
+  /// @throw scan_cell_common::ConnectionError if the port is not available
   LaserTap(std::uint16_t listen, std::uint16_t circuit);
   ~LaserTap();
   LaserTap(const LaserTap&) = delete;
   LaserTap& operator=(const LaserTap&) = delete;
 
-  std::uint8_t lasers() const;        //!< mask of those that are on
-  std::uint64_t switched_on() const;  //!< how often lasers went on so far
+  std::uint8_t lasers() const;        //!< mask of the lasers that are on
+  std::uint64_t switched_on() const;  //!< number of times lasers went on
 
   bool wait_until_on(double timeout) const;
 
-  /// How long after an instant of the host's clock the lasers were on: 0 if they were off then.
-  /// @return [s]; none where they are still on after `timeout` [s]
+  /// How long after an instant on the host's clock the lasers were on; 0 if they were off then.
+  /// @return [s]; none: still on after `timeout` [s]
   std::optional<double> on_for(scan_cell_common::Nanoseconds since, double timeout) const;
 
  private:

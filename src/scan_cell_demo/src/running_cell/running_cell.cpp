@@ -58,7 +58,7 @@ RunningCell::RunningCell(ros::NodeHandle node)
 void RunningCell::wait_until_well() {
   {
     const std::lock_guard<std::mutex> lock(mutex_);
-    connected_ = false;  // a driver that died may have said otherwise
+    connected_ = false;  // a driver that died may have reported otherwise
   }
   videe_.reset();
   wait_until("the cell", [this] { return scan_.is_connected(); });
@@ -119,7 +119,7 @@ void RunningCell::start_videe_scan(std::uint16_t port) {
       videe_.emplace(port);
       return true;
     } catch (const scan_cell_common::ConnectionError&) {
-      return false;  // it is starting, or restarting
+      return false;  // starting, or restarting
     }
   });
   const scan_cell::ScanPass pass = line().passes.front();
@@ -164,7 +164,7 @@ scan_cell_msgs::ScanResultConstPtr RunningCell::end() {
     ros::WallDuration(kLook).sleep();
   }
   if (!end) return nullptr;
-  return scan_cell_msgs::ScanResultConstPtr(end, &end->result);  // a part of it, kept alive by it
+  return scan_cell_msgs::ScanResultConstPtr(end, &end->result);  // shares ownership of `end`
 }
 
 scan_cell_msgs::ScanActionResultConstPtr RunningCell::result() const {

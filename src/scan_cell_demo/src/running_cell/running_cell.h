@@ -21,33 +21,33 @@
 
 namespace scan_cell_demo {
 
-/// A scan ended by itself before it reached the step that a test waited for.
+/// Thrown if a scan ends by itself before the step that a test waits for.
 class EndedBefore : public scan_cell_common::Refused {
  public:
   using Refused::Refused;
 };
 
-/// A client of a running simulated cell, with the simulator's ground truth of where the robot is.
+/// A client of a running simulated cell, with the simulator's ground truth of the robot's pose.
 /// Callbacks must be served by another thread (ros::AsyncSpinner).
 class RunningCell {
  public:
   explicit RunningCell(ros::NodeHandle node);
 
   /// Clears all faults and waits until robot, camera and cell are ready.
-  /// @throw scan_cell_common::Refused if they are not after a minute
+  /// @throw scan_cell_common::Refused if they are not ready after a minute
   void wait_until_well();
 
-  /// Starts to scan the shipped line from its farther end.
+  /// Starts a scan of the shipped line from its farther end.
   void start_scan(const std::string& scan_id);
 
-  /// Starts to scan the shipped program of three passes.
+  /// Starts a scan with the shipped program of three passes.
   void start_program(const std::string& scan_id);
 
-  /// Cancels the scan that one of these two started; returns at once.
+  /// Cancels the scan started by one of these two; returns at once.
   void stop_scan();
 
-  /// The same as a client of videe_node, once that is up. The scan is named after the time.
-  /// @throw scan_cell_common::Error if it refuses
+  /// Starts a scan as a client of videe_node, once that is up. The scan is named after the time.
+  /// @throw scan_cell_common::Error if videe_node refuses
   void start_videe_scan(std::uint16_t port);
 
   /// Waits until the running scan has done `share` (0 .. 1) of `step` (1 .. 8).
@@ -58,7 +58,7 @@ class RunningCell {
   /// @throw EndedBefore if the scan ends before that
   void wait_in_scan(double time);
 
-  /// The step of the running scan, as it was last heard.
+  /// The step of the running scan, as last received.
   struct Step {
     std::uint32_t pass = 0;  // from 1; 0: none yet
     int step = 0;            // 1 .. 8; 0: none yet
@@ -69,15 +69,15 @@ class RunningCell {
   /// @return null if scan_cell_node died, and the result with it
   scan_cell_msgs::ScanResultConstPtr end();
 
-  /// Uses the connection that wait_until_well() made, so it takes effect at once.
+  /// Sets faults over the connection that wait_until_well() made, so it takes effect at once.
   /// @throw scan_cell_common::Refused
   void set_faults(const scan_cell_msgs::SetFaults::Request& faults);
 
   /// Waits until the true flange stands still.
-  /// @throw scan_cell_common::Refused if it does not within a minute
+  /// @throw scan_cell_common::Refused if it still moves after a minute
   void wait_until_standing();
 
-  /// Farthest distance [m] of the true flange from where it is now, within `time` [s].
+  /// Greatest distance [m] of the true flange from its present place within `time` [s].
   double way_within(double time);
 
   bool connected() const;
@@ -100,7 +100,7 @@ class RunningCell {
   struct Seen {
     Eigen::Vector3d place = Eigen::Vector3d::Zero();
     int heard = 0;                                     // messages since start_to_look()
-    double still = 0;                                  // [s] that it has been at one place
+    double still = 0;                                  // [s] at one place
     Eigen::Vector3d anchor = Eigen::Vector3d::Zero();  // that place
     ros::Time since;
   };
@@ -118,7 +118,7 @@ class RunningCell {
   scan_cell_msgs::ScanActionResultConstPtr result_;  // none: it has not ended
   Seen flange_seen_;
   ros::ServiceClient faults_;
-  std::optional<VideeClient> videe_;  // that started the scan
+  std::optional<VideeClient> videe_;  // started the scan
   scan_cell_common::GoalClient<scan_cell_msgs::ScanAction> scan_{node_, "/scan_cell/scan"};
   ros::Subscriber feedback_;  // whoever started the scan
   ros::Subscriber results_;

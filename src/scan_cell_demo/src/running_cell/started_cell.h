@@ -11,7 +11,8 @@
 
 namespace scan_cell_demo {
 
-/// A cell under its own ROS master, with this program as another node. Ends with this object.
+/// A cell under its own ROS master, with this program as another node. The cell ends with this
+/// object.
 class StartedCell {
  public:
   /// @param name of this program's node

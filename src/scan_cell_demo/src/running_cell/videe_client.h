@@ -11,11 +11,11 @@ namespace scan_cell_demo {
 /// A client of videe_node on this machine (docs/videe_protocol.md).
 class VideeClient {
  public:
-  /// @throw scan_cell_common::ConnectionError if nobody serves ViDeE there
+  /// @throw scan_cell_common::ConnectionError if no ViDeE server answers there
   explicit VideeClient(std::uint16_t port);
 
-  /// @return what follows OK
-  /// @throw scan_cell_common::Refused with the reason that follows ERROR
+  /// @return the text after OK
+  /// @throw scan_cell_common::Refused with the reason after ERROR
   /// @throw scan_cell_common::ConnectionError if no answer comes
   std::string ask(const std::string& command);
 

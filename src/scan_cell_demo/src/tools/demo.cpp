@@ -128,7 +128,7 @@ class Demo {
     });
   }
 
-  /// The adapted path as ~work takes it, and the true one.
+  /// Saves the adapted path as ~work takes it, and the true path.
   void save_paths(const Scanned& object, const ToolPath& path,
                   const scan_cell_msgs::StretchToolPathResult& stretched) {
     tool_paths::save_tool_path(out(kAdaptedPath),
@@ -144,7 +144,7 @@ class Demo {
             object.result.statistics));
   }
 
-  /// The robot traces the adapted path with the tool.
+  /// Makes the robot follow the adapted path with the tool.
   void work() {
     scan_cell_msgs::WorkGoal goal;
     goal.path = std::filesystem::absolute(out(kAdaptedPath)).string();
@@ -169,7 +169,7 @@ class Demo {
     scan_cell_common::save_text(out(kTracedPath), text);
   }
 
-  /// @return the goals that were missed; a refused path has no goals
+  /// @return the missed goals; there are none for a refused path
   std::vector<std::string> report(const Scanned& reference, const Scanned& object,
                                   const scan_cell_msgs::StretchToolPathResult& stretched) const {
     scan_cell_demo::Figures figures;
@@ -218,7 +218,7 @@ class Demo {
     json["frames_never_arrived"] = a.frames_never_arrived + b.frames_never_arrived;
   }
 
-  /// @return the greater error of the two clouds [m]: both carry the path
+  /// @return the greater error of the two clouds [m]: the path depends on both
   double add_cloud_errors(nlohmann::ordered_json& json, const Scanned& reference,
                           const Scanned& object) const {
     const double of_reference =
@@ -258,7 +258,7 @@ class Demo {
   scan_cell::CellClient client_{ros::NodeHandle(), {}};
 };
 
-/// In millimetres on the command line.
+/// Adds a goal, in millimetres on the command line.
 void add_goal(CLI::App& app, const std::string& name, double& goal, const std::string& meaning) {
   app.add_option_function<double>(
          name, [&goal](double millimetres) { goal = millimetres / kMillimetres; },

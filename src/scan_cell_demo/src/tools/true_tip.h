@@ -12,17 +12,17 @@
 
 namespace scan_cell_demo {
 
-/// Where the tool's tip truly is, from the simulator: its robot, its tool, its place in the world.
+/// True positions of the tool's tip, from the simulator's robot, tool and place in the world.
 class TrueTip {
  public:
   /// @param simulator node
   /// @param cell the simulator's own cell file
   TrueTip(ros::NodeHandle node, const std::string& simulator, const std::string& cell);
 
-  /// Forgets what was heard so far.
+  /// Forgets all positions so far.
   void clear();
 
-  /// Places in the world [m] since clear(), in the order of time.
+  /// Positions in the world [m] since clear(), in order of time.
   std::vector<Eigen::Vector3d> way() const;
 
  private:
@@ -32,7 +32,7 @@ class TrueTip {
   const Eigen::Vector3d tip_in_flange_;
   mutable std::mutex mutex_;
   std::vector<Eigen::Vector3d> way_;
-  ros::Subscriber subscriber_;  // last: its callback uses all the rest
+  ros::Subscriber subscriber_;  // last: its callback uses all other members
 };
 
 }  // namespace scan_cell_demo

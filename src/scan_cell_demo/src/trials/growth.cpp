@@ -57,7 +57,7 @@ Holdings holdings_of(pid_t process) {
   if (holdings.threads == 0)
     throw scan_cell_common::FileError(folder, "no such process", "see the log of its node");
   for (const auto& entry : fs::directory_iterator(folder + "/fd")) {
-    std::error_code gone;  // a descriptor may have been closed meanwhile
+    std::error_code gone;  // a descriptor may be closed meanwhile
     const std::string target = fs::read_symlink(entry.path(), gone);
     if (gone) continue;
     ++holdings.files;

@@ -9,7 +9,7 @@
 
 namespace scan_cell_demo {
 
-/// What a process holds at one time.
+/// Resources of a process at one time.
 struct Holdings {
   double memory = 0;  //!< [MB] resident
   int threads = 0;
@@ -20,11 +20,11 @@ struct Holdings {
 /// @throw scan_cell_common::FileError if there is no such process
 Holdings holdings_of(pid_t process);
 
-/// Whether a process that repeats the same work holds more and more. The first third of the samples
-/// is the warm-up; the last third is compared with the one before. Memory has grown if its mean is
-/// higher by more than 1 MB, 1 % and four times what the scatter of the samples explains; threads,
-/// files and sockets if their maximum is higher.
-/// @return what has grown; empty if nothing has
+/// Whether a process that repeats the same work uses ever more resources. The first third of the
+/// samples is the warm-up; the last third is compared with the second. Memory has grown if its mean
+/// is higher by more than 1 MB, 1 % and four times what the scatter of the samples explains;
+/// threads, files and sockets if their maximum is higher.
+/// @return what has grown; empty: nothing
 /// @throw scan_cell_common::Refused for fewer than six samples
 std::string growth(const std::vector<Holdings>& samples);
 

@@ -1,7 +1,7 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Scans with the simulated cell in a loop with faults on its wires, switches the controller off in
-// every tenth scan, and records what each node holds: memory, threads, files and sockets.
+// Scans with the simulated cell in a loop, with faults on its wires. Switches the controller off in
+// every tenth scan, and records the resources of each node: memory, threads, files and sockets.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>

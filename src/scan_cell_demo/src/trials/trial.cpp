@@ -30,7 +30,7 @@ constexpr int kStepOfCapture = 6;
 constexpr int kStepAfterPasses = 8;   // the one between is over at once
 constexpr double kMillisecond = 1e3;  // [ms] per second
 
-/// Which node dies; empty: none.
+/// The node killed; empty: none.
 std::string victim(Blow blow) {
   switch (blow) {
     case Blow::kControllerKilled:
@@ -144,7 +144,7 @@ void TrialBench::begin_once(const Trial& trial, const std::string& name) {
   cell_.wait_for_step(trial.moment == Moment::kMidScan ? kStepOfCapture : kStepOfMove, trial.share);
 }
 
-/// [s] from the goal to the end of the last pass, as a whole scan took it.
+/// [s] from the goal to the end of the last pass, measured on a whole scan.
 double TrialBench::time_of_program() {
   if (time_of_program_ > 0) return time_of_program_;
   const Nanoseconds start = host_now();
@@ -184,7 +184,7 @@ TrialResult TrialBench::make_in_path(const Trial& trial) {
   if (!end && trial.blow != Blow::kDriverKilled) result.failures.push_back("the driver went away");
   if (end && end->outcome == scan_cell_msgs::FollowResult::REACHED)
     result.failures.push_back("the path was reported as followed");
-  if (trial.blow == Blow::kControllerKilled) return result;  // and the truth with it
+  if (trial.blow == Blow::kControllerKilled) return result;  // the ground truth died with it
   cell_.wait_until_standing();
   check_rest(trial, struck, result);
   return result;
@@ -210,7 +210,7 @@ TrialResult TrialBench::make_in_scan(const Trial& trial) {
                              tap_.lasers() == 0 ? "off" : "on");
   const Nanoseconds struck = strike(trial);
   check_end(trial, step, result);
-  // A scan that ended switches no laser on; what it switched on after the blow counts as still on.
+  // A finished scan switches no laser on; lasers switched on after the blow count as still on.
   result.on = tap_.on_for(struck, kPatience).value_or(kPatience);
   if (*result.on > limits_.on)
     result.failures.push_back(fmt::format("lasers on for {:.1f} ms", kMillisecond * *result.on));
@@ -260,7 +260,7 @@ void TrialBench::check_end(const Trial& trial, const RunningCell::Step& struck_a
   if (trial.moment == Moment::kMidScan || scan->audit.frames_bound > 0) check_cloud(*scan, result);
 }
 
-/// The passes before that in which the blow came are finished, and their pulses are accounted for.
+/// Checks that the passes before the blow are finished, and their pulses are accounted for.
 void TrialBench::check_passes(const scan_cell_msgs::ScanResult& scan,
                               const RunningCell::Step& struck_at, TrialResult& result) {
   const std::uint32_t before = struck_at.pass > 0 ? struck_at.pass - 1 : 0;

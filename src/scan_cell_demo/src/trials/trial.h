@@ -20,39 +20,39 @@ enum class Blow {
   kControllerKilled,
   kDriverKilled,
   kCellKilled,
-  kVideeKilled,  //!< while a scan of its own client runs
-  kStop,         //!< nothing breaks: its client cancels the scan
+  kVideeKilled,  //!< while its own client scans
+  kStop,         //!< no fault: the client cancels the scan
 };
-/// When: on the way to the start of a line with the lasers off, while the line is scanned, at any
-/// time in a program of three passes, or while the tool follows a path with an output on.
+/// When the blow comes: on the way to the start of a line with the lasers off, during the scan of
+/// the line, at any time in a program of three passes, or while the tool follows a path with an
+/// output on.
 enum class Moment { kMidMove, kMidScan, kMidProgram, kMidPath };
 
 const std::vector<Blow>& every_blow();
-/// Those that can come while a path is followed, in which neither the cell nor videe_node has a
-/// part.
+/// The blows possible while a path is followed; the cell and videe_node have no part in that.
 const std::vector<Blow>& every_blow_in_a_path();
 std::string name_of(Blow blow);
 std::string name_of(Moment moment);
 
-/// One blow and its moment within the motion.
+/// One blow and its moment.
 struct Trial {
   Blow blow = Blow::kEmergencyStop;
   Moment moment = Moment::kMidScan;
-  double share = 0.5;  //!< 0 .. 1 of the motion done by then; of a program, of its time
-  double pause = 2;    //!< [s] the blow lasts: until the button or the cable is back
+  double share = 0.5;  //!< 0 .. 1 of the motion done before; of a program, of its time
+  double pause = 2;    //!< [s] duration of the blow: until the button or the cable is back
 };
 
-/// How the cell reacted. `failures` is empty if it kept every promise.
+/// The cell's reaction. `failures` is empty if the cell kept every promise.
 struct TrialResult {
   std::optional<double> on;           //!< [s] after the blow, until no laser, or in a path no
                                       //!< output of the tool, was on any more; none: not measured
   std::optional<double> moving;       //!< [s] after the blow, in a path; none: not measured
   std::string place;                  //!< where in the scan the blow came
   std::string outcome;                //!< message of the scan's or path's result
-  std::vector<std::string> failures;  //!< promises that were broken
+  std::vector<std::string> failures;  //!< broken promises
 };
 
-/// What a trial may take.
+/// Limits of a trial.
 struct TrialLimits {
   double on = 0.1;      //!< [s] that lasers, or the tool, may be on after a blow
   double moving = 0.5;  //!< [s] that the robot may still move after a blow in a path
@@ -68,15 +68,15 @@ class TrialBench {
   TrialBench(RunningCell& cell, const LaserTap& tap, std::string folder, std::uint16_t videe,
              const TrialLimits& limits);
 
-  /// Waits until the cell is ready, runs the trial, and leaves the cell without a fault. Starts
-  /// again if the scan ends by itself before the blow, as on a machine that is too busy.
+  /// Waits until the cell is ready, runs the trial, and leaves the cell without a fault. Retries if
+  /// the scan ends by itself before the blow, as on a machine that is too busy.
   /// @throw EndedBefore if that happens three times
   /// @throw scan_cell_common::Error if the cell does not become ready
   TrialResult make(const Trial& trial, const std::string& name);
 
   int begun_anew() const { return begun_anew_; }
 
-  /// Files that are broken, or were changed or removed since they were first seen whole.
+  /// Files that are broken, or changed or removed after they were first seen whole.
   std::vector<std::string> broken_files();
 
  private:

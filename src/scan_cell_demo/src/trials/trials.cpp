@@ -1,9 +1,8 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Disturbs the simulated cell at random times during moves and scans: emergency stop, cable pulled,
-// controller, driver, cell or videe_node killed; or stops a scan of three passes. The same while
-// the tool follows a path. Reports how long lasers and tool stayed on, and which promise was
-// broken.
+// Disturbs the simulated cell at random times during moves and scans, and while the tool follows a
+// path: emergency stop, cable pulled, controller, driver, cell or videe_node killed; or cancels a
+// scan of three passes. Reports how long lasers and tool stayed on, and which promises were broken.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -37,7 +36,7 @@ struct Options {
   std::vector<std::string> moments;
 };
 
-/// @param round of those of this blow
+/// @param round of this blow, counted
 Moment moment_of(Blow blow, int round) {
   const std::vector<Blow>& in_a_path = every_blow_in_a_path();
   const bool may_be = std::count(in_a_path.begin(), in_a_path.end(), blow) > 0;
@@ -45,19 +44,19 @@ Moment moment_of(Blow blow, int round) {
   return round % (may_be ? 3 : 2) == 0 ? Moment::kMidScan : Moment::kMidMove;
 }
 
-/// All kinds in equal numbers, in an order that the seed decides.
-/// @throw scan_cell_common::InvalidParameter if none of the blows comes at any of the moments
+/// All kinds in equal numbers, in an order set by the seed.
+/// @throw scan_cell_common::InvalidParameter if no blow is possible at any of the moments
 std::vector<Trial> mix(const Options& options) {
   std::mt19937 random(options.seed);
   std::uniform_real_distribution<double> share(0.1, 0.7), pause(0, 2),
-      anywhere(0, 0.97);  // a scan that is slower than the first one must not end before
+      anywhere(0, 0.97);  // a scan slower than the first must not end before the blow
   std::vector<Blow> wanted;
   for (const Blow blow : every_blow()) {
     if (std::count(options.blows.begin(), options.blows.end(), name_of(blow)) > 0)
       wanted.push_back(blow);
   }
   std::vector<Trial> trials;
-  constexpr int kRounds = 6;  // each blow has come at each of its moments by then
+  constexpr int kRounds = 6;  // by then each blow came at each of its moments
   for (int i = 0; static_cast<int>(trials.size()) < options.count; ++i) {
     if (trials.empty() && i > kRounds * static_cast<int>(wanted.size()))
       throw scan_cell_common::InvalidParameter("--moments",
@@ -95,7 +94,7 @@ TrialResult make_safely(TrialBench& bench, const Trial& trial, const std::string
   }
 }
 
-/// [ms] of times [s]; - where nothing was measured
+/// [ms] from times [s]; - if nothing was measured
 std::string median_and_max(std::vector<double> times) {
   if (times.empty()) return "-";
   std::sort(times.begin(), times.end());

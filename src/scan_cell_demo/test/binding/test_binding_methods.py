@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 # Copyright 2026 the scan cell developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""test_binding_methods.py METHOD   which pulse stands at which place: the poses that the running cell's binder gives,
-against the true pose of the flange as each frame was exposed."""
+"""test_binding_methods.py METHOD   which pulse is at which place: poses given by the running cell's binder against the
+true pose of the flange at each frame's exposure."""
 import statistics
 import sys
 import threading
@@ -21,7 +21,7 @@ METHOD = sys.argv[1]
 TIMEOUT = 120  # [s] on a busy machine
 SPEED, RATE = 0.06, 100.0  # [m/s], [Hz]
 ACCELERATION = 6.0  # [m/s^2] of the simulated robot's ramps
-# A pulse is stamped to 0.01 ms, by a busy machine to about 1 ms; the true pose is that of the pulse on its wire.
+# A pulse is stamped to 0.01 ms, or to about 1 ms by a busy machine; the true pose is that of the pulse on its wire.
 STAMPED_TO = 1e-3  # [s]
 
 
@@ -90,7 +90,7 @@ class Binding(unittest.TestCase):
         return cls.client.get_result()
 
     def bound_of(self, result):
-        """All that was bound of a scan, each with the distance [m] from its true place."""
+        """All bound poses of a scan, each with the distance [m] from its true place."""
         self.assertEqual(result.outcome, ScanResult.FINISHED, result.message)
         with self.news:
             all_there = lambda: (len(self.bound) == result.audit.frames_bound and
@@ -115,7 +115,7 @@ class Binding(unittest.TestCase):
 
 
 class ConstantSpeed(Binding):
-    # What the robot does not make in its ramp, and a tenth of it for the stamps.
+    # The distance that the robot loses in its ramp, and a tenth of it for the stamps.
     median = 1.1 * SPEED ** 2 / (2 * ACCELERATION)
 
     def test_puts_each_pulse_where_the_robot_truly_was(self):
@@ -159,7 +159,7 @@ class FirstPose(Binding):
         # Poses come every 4 ms: two or three from one pulse to the next.
         self.assertGreater(result.audit.poses_share_frame, 0.9 * result.audit.frames_bound)
         self.check_places(result, SPEED, 0.004 * SPEED)
-        # Before the ramp and after it the robot stands: there poses are alike, not the same.
+        # Before and after the ramp the robot stands still: poses there are alike, but not equal.
         moving = [b.pose.position.x for b, _ in self.bound_of(result) if abs(b.pose.position.x) < 0.179]
         self.assertEqual(len(set(moving)), len(moving))
 

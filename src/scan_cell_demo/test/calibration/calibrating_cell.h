@@ -39,7 +39,7 @@ inline std::string config(const std::string& name) {
   return ros::package::getPath("scan_cell_sim") + "/config/" + name;
 }
 
-/// The taught poses that are shipped, a line each.
+/// The shipped taught poses, one per line.
 inline std::vector<std::string> shipped_poses() {
   std::ifstream file(config("calibration_poses.csv"));
   std::vector<std::string> lines;
@@ -49,7 +49,7 @@ inline std::vector<std::string> shipped_poses() {
   return lines;
 }
 
-/// One in so many of them.
+/// Every `step`-th of them.
 inline std::vector<std::string> some_poses(std::size_t step) {
   std::vector<std::string> poses;
   const std::vector<std::string> shipped = shipped_poses();
@@ -84,7 +84,7 @@ class Calibration : public testing::Test {
     before_ = camera_settings();
   }
 
-  /// However it ended: lasers off, robot still, camera as it was.
+  /// In any case the lasers end up off, the robot still, and the camera as it was.
   void TearDown() override {
     scan_cell::call<scan_cell_msgs::SetFaults>("/scan_cell_sim/set_faults", {}, kTimeout);
     wait_for("the lasers to be off", [this] { return lasers_ == 0 && !armed_; });
@@ -144,7 +144,7 @@ class Calibration : public testing::Test {
     return goal;
   }
 
-  /// Starts it and returns once this is being done.
+  /// Starts a calibration and returns once `doing` is under way.
   void start(const CalibrateGoal& goal, const std::string& doing) {
     const auto seen = std::make_shared<std::atomic<bool>>(false);
     client_.sendGoal(goal, Client::SimpleDoneCallback(), Client::SimpleActiveCallback(),
@@ -170,8 +170,8 @@ class Calibration : public testing::Test {
   bool armed_ = false;
   bool connected_ = false;
   bool moving_ = false;
-  std::vector<int> lit_;  // masks, whenever a laser was on
-  // last: their callbacks use all of the above
+  std::vector<int> lit_;  // masks, at each time a laser was on
+  // last: their callbacks use all other members
   ros::Subscriber trigger_;
   ros::Subscriber status_;
 };
@@ -187,8 +187,8 @@ inline Eigen::Vector3d scanned(const ScannerModel& model, int laser, const Eigen
   return model.flange_to_camera * (direction * (plane.distance / plane.normal.dot(direction)));
 }
 
-/// Greatest distance [m] between what the two make of the same peak, at 0.42 m to 0.62 m from the
-/// camera and up to 0.2 m to its sides.
+/// Greatest distance [m] between the points that the two models give for the same peak, at 0.42 m
+/// to 0.62 m from the camera and up to 0.2 m to its sides.
 inline double worst_point(const ScannerModel& model, const ScannerModel& truth) {
   double worst = 0;
   for (int laser = 0; laser < 2; ++laser) {
@@ -206,8 +206,8 @@ inline double worst_point(const ScannerModel& model, const ScannerModel& truth) 
   return worst;
 }
 
-/// Where the camera sits on the flange, beside what the report says of how well it knows that. Five
-/// deviations: a right covariance is beyond them once in a million.
+/// Compares the camera's pose on the flange with the uncertainty stated in the report, within five
+/// deviations: a correct covariance exceeds them once in a million.
 inline void expect_within_stated_bounds(const std::string& report, const ScannerModel& truth) {
   const Eigen::AngleAxisd turn(truth.flange_to_camera.linear());
   const Eigen::Vector3d rotation = turn.angle() * turn.axis();

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 # Copyright 2026 the scan cell developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Tool and world of the simulated cell, calibrated from poses that the cell recorded while the tip touched, against
-where they truly are."""
+"""Calibrates tool and world of the simulated cell from poses that the cell recorded while the tip touched, and
+compares them with the truth."""
 import math
 import os
 import re
@@ -18,8 +18,8 @@ import yaml
 
 TRUTH = os.path.join(rospkg.RosPack().get_path('scan_cell_sim'), 'config', 'cell.yaml')
 TIMEOUT = 300  # [s] of a robot that goes to nine places
-# The controller tells poses to 1 um and 1e-5 degrees, the file keeps metres to 1 um: over a lever of 0.2 m and
-# distances of 0.2 m these make some um.
+# The controller sends poses to 1 um and 1e-5 degrees, the file keeps metres to 1 um: over a lever of 0.2 m and
+# distances of 0.2 m this amounts to a few um.
 ROUNDING = 2e-5  # [m]
 
 
@@ -72,7 +72,7 @@ class TaughtCell(unittest.TestCase):
         off, _ = self.teach()
         self.assertLess(off['tool_tip_in_tool0'][0], ROUNDING)
         self.assertLess(off['base_link_in_world'][1], ROUNDING / 0.2)
-        # The base is 0.8 m from the points that were touched.
+        # The base is 0.8 m from the touched points.
         self.assertLess(off['base_link_in_world'][0], ROUNDING + 0.8 * ROUNDING / 0.2)
 
     def test_touches_that_miss_leave_the_tip_within_what_the_tool_says(self):

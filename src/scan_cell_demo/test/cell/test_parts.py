@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 # Copyright 2026 the scan cell developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Kinds of parts in the running cell: each is scanned as it was taught and as it became, with both lasers, cleaned, and
-its path stretched and compared with the ground truth. The figures are in docs/scan_cell_sim.md."""
+"""Kinds of parts in the running cell: each is scanned as taught and as it became, with both lasers, cleaned, and its path
+stretched and compared with the ground truth. The figures are in docs/scan_cell_sim.md."""
 import json
 import os
 import shutil
@@ -18,10 +18,10 @@ PACKAGES = rospkg.RosPack()
 WORLDS = os.path.join(PACKAGES.get_path('scan_cell_sim'), 'config')
 PROGRAMS = os.path.join(PACKAGES.get_path('scan_cell'), 'config')
 TIMEOUT = 180  # [s] of one part, on a busy computer
-# A computer that holds up the cell gives no figures: frames are not bound, or the camera falls behind.
+# A computer that slows the cell down gives no figures: frames are not bound, or the camera falls behind.
 NO_FRAME = 'camera: no frame of the last'
 ATTEMPTS = 4
-MISSED = 3  # exit code of the demo: a goal missed
+MISSED = 3  # exit code of the demo: a goal was missed
 
 
 class Parts(unittest.TestCase):
@@ -62,7 +62,7 @@ class Parts(unittest.TestCase):
         self.expect_true_path('reference_frame.yaml', 'filed_frame.yaml')
 
     def test_pipe_elbow_scanned_by_an_arc(self):
-        # Along a pipe only its ends and its bend hold the path: 1 mm has been seen.
+        # Along a pipe only its ends and its bend fix the path: 1 mm has been observed.
         self.expect_true_path('pipe_elbow.yaml', 'bent_elbow.yaml', '--part', 'elbow',
                               '--program', os.path.join(PROGRAMS, 'around_elbow.yaml'),
                               '--max-path-rms', '1.0', '--max-path-error', '2.0')

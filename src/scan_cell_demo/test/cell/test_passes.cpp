@@ -1,7 +1,7 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-/// Programs of passes in the simulated cell, against its ground truth.
+/// Programs of passes in the simulated cell, compared with its ground truth.
 #include <gtest/gtest.h>
 #include <ros/package.h>
 #include <ros/ros.h>
@@ -34,7 +34,7 @@ class Passes : public testing::Test {
  protected:
   void SetUp() override { put_frame(world("reference_frame.yaml")); }
 
-  /// Tries again while the nodes come up.
+  /// Retries while the nodes come up.
   ScanResult run(const scan_cell::ScanProgram& program, const std::string& name,
                  const scan_cell::CellClient::Progress& progress) {
     const ros::WallTime deadline = ros::WallTime::now() + ros::WallDuration(kTimeout);
@@ -50,7 +50,7 @@ class Passes : public testing::Test {
     return run(load_program(program), program, [](const std::string&, double) {});
   }
 
-  /// Twice over the frame, which is lifted in between, while the robot scans the floor beside it.
+  /// Scans the frame twice; it is lifted in between, while the robot scans the floor beside it.
   /// @param height [m]
   ScanResult scan_while_the_frame_is_lifted(double height) {
     std::string text = scan_cell_common::read_file(world("reference_frame.yaml"));

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # Copyright 2026 the scan cell developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""A recipe from a first scan to a run in the simulated cell, by what people type and by the action."""
+"""A recipe from a first scan to a run in the simulated cell, with typed commands and with the action."""
 import csv
 import glob
 import json
@@ -209,7 +209,7 @@ class Recipes(unittest.TestCase):
         self.assertIn('NO_WORK, DRY_RUN or WORK', result.message)
 
     def check_signs(self, run, waypoints):
-        """What rviz shows of a run beside its clouds: its verdict in words, the ends of the scale of the deviations, and each
+        """What rviz shows of a run beside its clouds: the verdict in words, the ends of the scale of the deviations, and each
         waypoint with a colour."""
         signs, expected = [], []
         rospy.Subscriber('/part_recipes/signs', MarkerArray, signs.append)
@@ -228,7 +228,7 @@ class Recipes(unittest.TestCase):
             rospy.sleep(0.02)
 
     def check_sight(self, folder):
-        """What a run says that its scan could see is there."""
+        """The parts of a run's message that tell what its scan could see."""
         said = []
         for name in ('scan.json', 'sight.json', 'report.json'):
             with open(os.path.join(folder, name)) as file:

@@ -42,7 +42,7 @@ using scan_cell_msgs::SetFaults;
 namespace {
 
 #ifdef __SANITIZE_ADDRESS__
-constexpr double kSafe = 6.0;  // [s] everything is some times slower
+constexpr double kSafe = 6.0;  // [s] everything is several times slower
 #else
 constexpr double kSafe = 2.0;  // [s]
 #endif
@@ -126,8 +126,8 @@ class WholeCell : public testing::Test {
     return cell_.scan_clean(program_, world, kTimeout, ignore_progress, result);
   }
 
-  /// Scans again where a busy computer held the simulated robot up: without its poses the cloud has
-  /// a hole of centimetres, across which no orientation is known.
+  /// Scans again if a busy computer slowed the simulated robot down: without its poses the cloud
+  /// has a hole of centimetres, across which no orientation is known.
   sensor_msgs::PointCloud2 scan_without_holes(const std::string& world, ScanResult& result) {
     constexpr double kHeldUp = 0.99;  // of the pulses
     constexpr int kTries = 4;
@@ -140,7 +140,7 @@ class WholeCell : public testing::Test {
     return cloud;
   }
 
-  /// Starts a scan and waits until its frames come in.
+  /// Starts a scan and waits until its frames arrive.
   void start_scan(const std::string& scan_id) {
     {
       const std::lock_guard<std::mutex> lock(mutex_);
@@ -156,8 +156,8 @@ class WholeCell : public testing::Test {
     wait_for("frames", [this] { return frames_ > 50; });
   }
 
-  /// Waits for the end of the scan after something happened to it.
-  /// @return seconds it took
+  /// Waits for the end of the disturbed scan.
+  /// @return duration in seconds
   double wait_for_end() {
     const auto start = std::chrono::steady_clock::now();
     EXPECT_TRUE(scan_.waitForResult(ros::Duration(kTimeout)));
@@ -170,7 +170,7 @@ class WholeCell : public testing::Test {
     EXPECT_EQ(result.cloud.width * result.cloud.height, result.statistics.points);
   }
 
-  /// By the simulator's truth; a robot that drove on to the end of its line would stand there.
+  /// By the simulator's ground truth; a robot that had continued would be at the end of its line.
   void expect_standing_on_the_way() {
     constexpr double kMinWayLeft = 0.05;  // [m]
     {
@@ -183,7 +183,7 @@ class WholeCell : public testing::Test {
     EXPECT_GT((program_.passes.front().poses.back().translation() - place_).norm(), kMinWayLeft);
   }
 
-  /// Rows that show a laser line: the circuit's state, whatever the trigger's node says of it.
+  /// Rows that show a laser line: the circuit's true state, whatever the trigger's node reports.
   long lit_rows() {
     SetAcquisition::Request request;
     request.mode = SetAcquisition::Request::RELIEF_ONLY;
@@ -201,7 +201,7 @@ class WholeCell : public testing::Test {
     return lit_rows_;
   }
 
-  /// Again and again: a camera that was unplugged needs its time.
+  /// Retries: a camera that was unplugged needs time.
   static std::uint32_t set_acquisition(const SetAcquisition::Request& request) {
     const ros::WallTime deadline = ros::WallTime::now() + ros::WallDuration(kTimeout);
     while (true) {

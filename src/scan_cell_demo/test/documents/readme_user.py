@@ -15,14 +15,14 @@ TIMEOUT = 300  # [s] of one command, on a busy computer
 
 
 def commands(page, start):
-    """The commands of a page that begin so."""
+    """The commands of a page that begin with `start`."""
     with open(os.path.join(ROOT, page)) as file:
         text = re.sub(r'\\\n\s*', '', file.read())
     return [line.strip() for line in text.splitlines() if line.startswith('    ' + start)]
 
 
 def readme_command(start):
-    """The first command of the README that begins so."""
+    """The first command of the README that begins with `start`."""
     return commands('README.md', start)[0]
 
 
@@ -33,7 +33,7 @@ def free_port():
 
 
 class User:
-    """Types commands in a folder where launch/ and out/ are what they are in the repository."""
+    """Types commands in a folder in which launch/ and out/ are as in the repository."""
 
     def __init__(self, folder):
         self.folder = folder
@@ -51,7 +51,7 @@ class User:
                                     stdout=output, stderr=subprocess.STDOUT, start_new_session=True)
 
     def end(self, process):
-        """Ctrl-C."""
+        """Sends Ctrl-C."""
         process.send_signal(signal.SIGINT)
         return self.wait(process)
 

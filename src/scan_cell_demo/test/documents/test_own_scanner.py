@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # Copyright 2026 the scan cell developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""The commands of docs/your_own_scanner_and_robot.md, as they stand there, on files as other vendors write them."""
+"""The commands of docs/your_own_scanner_and_robot.md, as written, on files in other vendors' formats."""
 import csv
 import json
 import os
@@ -37,7 +37,7 @@ def write_csv(path, header, rows, separator=','):
 
 
 def matrices(quaternions):
-    """Of unit quaternions x y z w."""
+    """Rotation matrices of unit quaternions x y z w."""
     x, y, z, w = quaternions.T
     return numpy.stack([1 - 2 * (y * y + z * z), 2 * (x * y - z * w), 2 * (x * z + y * w),
                         2 * (x * y + z * w), 1 - 2 * (x * x + z * z), 2 * (y * z - x * w),
@@ -45,7 +45,7 @@ def matrices(quaternions):
 
 
 def turn(axis, angles):
-    """Matrices of turns about x, y or z."""
+    """Rotation matrices about x, y or z."""
     c, s, result = numpy.cos(angles), numpy.sin(angles), numpy.zeros((len(angles), 3, 3))
     i, j = (axis + 1) % 3, (axis + 2) % 3
     result[:, axis, axis], result[:, i, i], result[:, j, j], result[:, i, j], result[:, j, i] = 1, c, c, -s, s
@@ -107,7 +107,7 @@ class OwnScanner(unittest.TestCase):
 
     @classmethod
     def make_paths(cls):
-        """One path as four robots write it, and the truth on the object [m]."""
+        """One path in the formats of four robots, and the truth on the object [m]."""
         cls.simulate('tool_path --part frame --world %s --spacing 4 --output path.csv' % REFERENCE_WORLD)
         cls.simulate('path --part frame --reference %s --object %s --path path.csv --output true.csv' %
                      (REFERENCE_WORLD, OBJECT_WORLD))
@@ -135,7 +135,7 @@ class OwnScanner(unittest.TestCase):
         numpy.savetxt(cls.user.path('profiles.csv'), z, fmt='%.3f', delimiter=',')
 
     def run_next(self, part):
-        """The page's first command that has this in it."""
+        """The page's first command that contains `part`."""
         command = next(one for one in self.left if part in one)
         self.left.remove(command)
         code = self.user.run(command, 'run.log')
@@ -143,7 +143,7 @@ class OwnScanner(unittest.TestCase):
         return self.user.log('run.log')
 
     def expect_true(self, name, unit, axes_of):
-        """Same columns, same unit, same convention, and where the part really is."""
+        """Checks for the same columns, unit and convention, and the part's true place."""
         before, _ = read_csv(self.user.path('path_%s.csv' % name))
         names, table = read_csv(self.user.path('adapted_%s.csv' % name))
         self.assertEqual(names, before)

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # Copyright 2026 the scan cell developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""The commands of the README, as they stand there, on a simulated cell of their own."""
+"""The commands of the README, as written, on their own simulated cell."""
 import glob
 import json
 import os
@@ -53,7 +53,7 @@ class Readme(unittest.TestCase):
         self.assertEqual(self.codes[name], 0, self.user.log(name + '.log') + self.user.log('cell.log'))
 
     def expect_true_path(self, *names):
-        """The demo leaves what the simulator knows to be true of the same object."""
+        """The demo saves the simulator's truth of the same object."""
         difference = positions(self.user.path(*names)) - positions(self.user.path('out', 'true_path.csv'))
         self.assertLess(numpy.sqrt((difference ** 2).sum(axis=1).mean()), MAX_PATH_RMS)
 

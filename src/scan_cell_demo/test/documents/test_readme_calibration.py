@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # Copyright 2026 the scan cell developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""The calibration of the README, as it stands there, on a simulated cell of its own."""
+"""The calibration of the README, as written, on its own simulated cell."""
 import json
 import os
 import shutil

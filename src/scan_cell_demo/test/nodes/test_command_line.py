@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 # Copyright 2026 the scan cell developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""All services, topics and actions of the running cell, as the command line's tools meet them.
+"""All services, topics and actions of the running cell, as seen by the command line's tools.
 
-It walks through what the master and the nodes name, so that a new one is covered by itself. Alone, on a bare system:
+It goes through what the master and the nodes list, so a new one is covered automatically. Alone, on a bare system:
 rostest scan_cell_demo command_line.test
 """
 import io
@@ -25,13 +25,13 @@ from scan_cell_msgs.srv import GetStaticPose
 
 TIMEOUT = 60  # [s] for what must come
 ACTIONS = ('/c4g_driver/move', '/scan_cell/scan', '/scan_cell/calibrate', '/tool_path_stretcher/stretch')
-# Publish by themselves while the cell stands still.
+# Publish even while the cell is idle.
 ALWAYS = ('/c4g_driver/status', '/camera/parameter_updates', '/diagnostics', '/joint_states', '/laser_trigger/state',
           '/scan_cell/scan/status', '/scan_cell/state', '/tf', '/tf_static')
-# Its own, and the managers of its nodelets.
+# The cell's own, and the managers of its nodelets.
 NODES = ('/c4g_driver', '/chain', '/laser_trigger', '/preprocess', '/scan_cell', '/scan_cell_sim',
          '/tool_path_stretcher', '/videe')
-# Called as a person would; none of them moves the robot or switches a laser on.
+# Called as a person would call them; none moves the robot or switches a laser on.
 HARMLESS = (('/c4g_driver/reset_alarms', []), ('/c4g_driver/set_drives', ['true']),
             ('/c4g_driver/get_static_pose', []), ('/c4g_driver/set_override', ['100']),
             ('/laser_trigger/disarm', []), ('/scan_cell_sim/set_faults', ['{}']),
@@ -39,13 +39,13 @@ HARMLESS = (('/c4g_driver/reset_alarms', []), ('/c4g_driver/set_drives', ['true'
 
 
 def cure(type_name):
-    """What a person on Debian can do about a type that is not there."""
+    """What a user on Debian can do about a missing type."""
     return '%s: its Python module cannot be loaded; add python3-%s to scripts/packages.txt' % (
         type_name, type_name.split('/')[0].replace('_', '-'))
 
 
 def buildable(message_class, arguments):
-    """Fills a message as rosservice and rostopic fill it, and sends it to nowhere."""
+    """Fills a message as rosservice and rostopic do, without sending it."""
     message = message_class()
     genpy.message.fill_message_args(message, arguments)
     message.serialize(io.BytesIO())
@@ -57,7 +57,7 @@ def command(*words):
 
 
 class Heard:
-    """The first message of every topic, as it came over the wire."""
+    """The first message of every topic, as received."""
 
     def __init__(self, topics):
         self.news = threading.Condition()
@@ -70,7 +70,7 @@ class Heard:
             self.news.notify_all()
 
     def wait_for(self, topics):
-        """Those that did not come."""
+        """Topics without a message."""
         with self.news:
             self.news.wait_for(lambda: set(topics) <= set(self.first), TIMEOUT)
             return sorted(set(topics) - set(self.first))
@@ -92,7 +92,7 @@ class CommandLine(unittest.TestCase):
 
     @classmethod
     def absent(cls):
-        """What the cell has once all of its nodes are there, and has not yet."""
+        """What the complete cell has, and is still missing."""
         topics = set(ALWAYS) | {action + '/goal' for action in ACTIONS}
         there = dict(cls.master.getTopicTypes())
         services = {service for service, _ in HARMLESS}
@@ -106,7 +106,7 @@ class CommandLine(unittest.TestCase):
         for service in self.services:
             kind = rosservice.get_service_type(service)
             if kind is None:
-                continue  # its node has ended since
+                continue  # its node has ended meanwhile
             service_class = roslib.message.get_service_class(kind)
             if service_class is None:
                 failures.append(cure(kind) + ': ' + service)
@@ -145,7 +145,7 @@ class CommandLine(unittest.TestCase):
             self.assertEqual(done.returncode, 2, done.stdout)
 
     def test_no_node_of_the_suite_can_be_asked_for_its_loggers(self):
-        """Debian's rosconsole crashes any node of roscpp that answers it, the robot's driver too."""
+        """Debian's rosconsole crashes any roscpp node that answers it, also the robot's driver."""
         for node in NODES:
             self.assertIn(node + '/set_logger_level', self.services)
             self.assertNotIn(node + '/get_loggers', self.services)
@@ -164,7 +164,7 @@ class CommandLine(unittest.TestCase):
     def test_what_is_published_can_be_read(self):
         heard = Heard(self.published)
         self.assertEqual(heard.wait_for(ALWAYS), [], 'these are published all the time')
-        for topic, bytes_of_it in list(heard.first.items()):  # others still come
+        for topic, bytes_of_it in list(heard.first.items()):  # others still arrive
             message_class = roslib.message.get_message_class(self.types[topic])
             self.assertIsNotNone(message_class, cure(self.types[topic]) + ': ' + topic)
             str(message_class().deserialize(bytes_of_it))
@@ -190,7 +190,7 @@ class CommandLine(unittest.TestCase):
             self.assertIsNotNone(roslib.message.get_message_class(kind), cure(kind))
 
     def test_every_type_of_the_suite_can_be_shown(self):
-        """Also of what no node of this cell uses at the moment, and of what such a type is made of."""
+        """Also types that no node of this cell uses at present, and the types that they contain."""
         folder = rospkg.RosPack().get_path('scan_cell_msgs')
         failures = []
         for kind, find in (('msg', roslib.message.get_message_class), ('srv', roslib.message.get_service_class)):

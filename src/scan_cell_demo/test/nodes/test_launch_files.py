@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # Copyright 2026 the scan cell developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Every launch file, in every combination of its switches, loads and names only what is there."""
+"""Every launch file loads in every combination of its switches, and refers only to what exists."""
 import functools
 import glob
 import itertools
@@ -18,7 +18,7 @@ import yaml
 
 FOLDER = os.path.realpath(os.path.join(os.path.dirname(os.path.realpath(__file__)), '../../../../launch'))
 SIMULATOR = os.path.join(rospkg.RosPack().get_path('scan_cell_sim'), 'config')
-# What a user gives to arguments that have no default, or need a file without sim.
+# A user's values for arguments that have no default, or need a file without sim.
 GIVEN = {
     'scanner': os.path.join(SIMULATOR, 'scanner.yaml'),
     'cell': os.path.join(SIMULATOR, 'cell.yaml'),
@@ -40,7 +40,7 @@ def launch_files():
 
 
 def arguments(path):
-    """The arg elements that a caller may set: name to default."""
+    """The arguments that a caller may set: name to default."""
     root = ElementTree.parse(path).getroot()
     return {arg.get('name'): arg for arg in root.findall('arg') if arg.get('value') is None}
 
@@ -50,7 +50,7 @@ def switches(path):
 
 
 def combinations(path):
-    """Settings of all switches, and with each the least that the other arguments need."""
+    """All settings of the switches, each with the minimum of other arguments."""
     names = switches(path)
     for values in itertools.product(('false', 'true'), repeat=len(names)):
         given = dict(zip(names, values))
@@ -68,7 +68,7 @@ def load(path, /, **given):
 
 @functools.lru_cache(maxsize=None)
 def loaded():
-    """Every file in every combination: what it is, and what roslaunch made of it."""
+    """Every file in every combination: its name, and roslaunch's result."""
     every = []
     for path in launch_files():
         for given in combinations(path):
@@ -115,7 +115,7 @@ class LaunchFiles(unittest.TestCase):
                     self.assertIn(words[1], declared, what)
 
     def test_name_only_files_that_exist(self):
-        """Those of rosparam are read while loading; these are read by the nodes."""
+        """rosparam reads its files while loading; these are read by the nodes."""
         for what, config in loaded():
             texts = [param.value for param in config.params.values() if isinstance(param.value, str)]
             texts += [word for node in config.nodes for word in node.args.split()]

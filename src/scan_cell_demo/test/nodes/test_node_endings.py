@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # Copyright 2026 the scan cell developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Every node and every nodelet of the suite ends at SIGTERM and SIGHUP as it does at Ctrl-C."""
+"""Every node and nodelet of the suite ends on SIGTERM and SIGHUP as on Ctrl-C."""
 import collections
 import glob
 import os
@@ -25,7 +25,7 @@ SOURCES = os.path.join(os.path.dirname(os.path.realpath(__file__)), '../../..')
 SIMULATOR = os.path.join(PACKAGES.get_path('scan_cell_sim'), 'config')
 SCANNER = os.path.join(SIMULATOR, 'scanner.yaml')
 PROGRAM = os.path.join(PACKAGES.get_path('scan_cell'), 'config/scan_line.yaml')
-# What they cannot start without.
+# Required to start.
 NODES = {
     ('c4g_driver', 'c4g_driver_node'): ['_address:=127.0.0.1'],
     ('laser_triangulation', 'laser_triangulation_node'): ['_scanner:=' + SCANNER],
@@ -53,7 +53,7 @@ NODELETS = {
 SIGNALS = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)
 LOGGERS = ('/get_loggers', '/set_logger_level')
 PATIENCE = 60  # [s]
-STEADY = 10  # looks at the master: a node that still registers topics while it ends leaves some there
+STEADY = 10  # checks of the master: a node that is still registering topics when it ends leaves some there
 
 
 def built_nodes():
@@ -95,7 +95,7 @@ class NodeEndings(unittest.TestCase):
             process.wait()
 
     def start(self, package, program, *words):
-        """A node under a name of its own, of which nothing is left on the parameter server."""
+        """Starts a node under a name of its own, and deletes its parameters after the test."""
         self.started += 1
         name = '/%s_%d' % (self.id().rsplit('.', 1)[-1], self.started)
         path = roslib.packages.find_node(package, program)[0]
@@ -106,7 +106,7 @@ class NodeEndings(unittest.TestCase):
         return process, name
 
     def offers(self, name):
-        """What a node publishes and serves, but for what each one has from roscpp."""
+        """What a node publishes and serves, without what every roscpp node has."""
         published, _, services = self.master.getSystemState()
         return {topic for topic, nodes in published if name in nodes and topic != '/rosout'} | {
             service for service, nodes in services
@@ -116,15 +116,15 @@ class NodeEndings(unittest.TestCase):
         return any(name in nodes for kind in self.master.getSystemState() for _, nodes in kind)
 
     def has_loaded(self, manager, nodelet):
-        """The manager answers this only after it has loaded what it was asked for."""
+        """The manager answers this only after it has loaded the nodelets requested."""
         try:
             return nodelet in rospy.ServiceProxy(manager + '/list', NodeletList)().nodelets
         except rospy.ServiceException:  # not there yet
             return False
 
     def wait_until_bound(self, manager, count):
-        """Until the manager and those who had it load have heard each other. Debian's manager that ends before
-        unloads through what it has destroyed already, and crashes, by any signal."""
+        """Waits until the manager and its nodelets' loaders have received each other's messages. If Debian's manager
+        ends before, it unloads through objects already destroyed, and crashes on any signal."""
         beats = collections.Counter()
         listener = rospy.Subscriber(manager + '/bond', Status,
                                     lambda status: beats.update([(status.id, status.instance_id)]))
@@ -186,7 +186,7 @@ class NodeEndings(unittest.TestCase):
         before = self.offers(name)
         loader, nodelet = self.start('nodelet', 'nodelet', 'load', 'cloud_preprocess/Floor', name)
         wait_for(lambda: nodelet + '/output' in self.offers(name), 'the nodelet is loaded')
-        loader.send_signal(signal.SIGINT)  # it has the manager unload the nodelet
+        loader.send_signal(signal.SIGINT)  # it makes the manager unload the nodelet
         wait_for(lambda: nodelet + '/output' not in self.offers(name), 'the nodelet is unloaded')
         self.assertTrue(before <= self.offers(name))
         self.end(manager, name, signal.SIGTERM, 'manager')

@@ -12,7 +12,7 @@ import unittest
 import rostest
 
 SCRIPT = os.path.join(os.path.dirname(os.path.realpath(__file__)), 'two_networks.sh')
-# and of processes, too: whatever happens, nothing is left running
+# and of processes: whatever happens, nothing keeps running
 AS_ROOT = [] if os.geteuid() == 0 else ['--user', '--map-root-user']
 NAMESPACE = ['unshare', '--net', '--pid', '--fork', '--kill-child', '--mount-proc'] + AS_ROOT
 TIMEOUT = 240  # [s] on a busy machine
@@ -20,7 +20,7 @@ MAX_CLOUD_RMS = 0.3  # [mm]
 
 
 def why_not_allowed():
-    """Empty where this user may make network namespaces and cables between them."""
+    """Empty if this user may create network namespaces and virtual cables between them."""
     tried = subprocess.run(NAMESPACE + ['ip', 'link', 'add', 'name', 'near', 'type', 'veth', 'peer', 'name', 'far'],
                            stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
     return '' if tried.returncode == 0 else tried.stdout.decode().strip() or 'it fails'

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # Copyright 2026 the scan cell developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""A program that the robot cannot run to its end is refused before anything moves, by the pass and the place."""
+"""A program that the robot cannot run to its end is refused before anything moves, naming the pass and the place."""
 import os
 import subprocess
 import tempfile
@@ -16,10 +16,10 @@ from scan_cell_msgs import msg, srv
 
 TIMEOUT = 60  # [s]
 DOWN = (1, 0, 0, 0)
-# Where the robot stands it looks down at (0.8, 0, 0.6).
+# At its present pose the robot looks down at (0.8, 0, 0.6).
 GOOD = {'line': {'start': ((0.8, -0.1, 0.6), DOWN), 'end': ((0.8, 0.1, 0.6), DOWN)}}
 FAR = {'line': {'start': ((0.8, 0.1, 0.6), DOWN), 'end': ((1.35, 0, 1.5), DOWN)}}
-# Flange by Denavit and Hartenberg with the joints 0, 0, -90, 0, J5, 0 degrees: J5 from 30 over 0, where the wrist is
+# Flange by Denavit and Hartenberg with the joints 0, 0, -90, 0, J5, 0 degrees: J5 from 30 through 0, where the wrist is
 # straight, to -30.
 STRAIGHT_WRIST = {'arc': {'start': ((0.879342413, 0, 1.1225), (0.8660254038, 0, 0.5, 0)),
                           'via': ((0.89207, 0, 1.17), (0.7071067812, 0, 0.7071067812, 0)),
@@ -27,7 +27,7 @@ STRAIGHT_WRIST = {'arc': {'start': ((0.879342413, 0, 1.1225), (0.8660254038, 0, 
 
 
 def round_the_base(angle):
-    """0.55 m beside the axis of J1, whose most is 2.44 rad/s: no more than 1.34 m/s along it."""
+    """0.55 m from the axis of J1, which turns at most at 2.44 rad/s: at most 1.34 m/s along the circle."""
     return ((0.55 * cos(angle), 0.55 * sin(angle), 0.6), DOWN)
 
 
@@ -39,7 +39,7 @@ def written(pose):
 
 
 def program(*passes):
-    """The text of a program file; each pass is its way and its speed [m/s]."""
+    """The text of a program file; each pass is its motion and its speed [m/s]."""
     text = 'frame: base_link\npasses:\n'
     for number, (way, speed) in enumerate(passes, 1):
         (kind, poses), = way.items()
@@ -63,19 +63,19 @@ class ProgramCheck(unittest.TestCase):
     def setUpClass(cls):
         rospy.init_node('program_check')
         rospy.Service('/laser_trigger/check_arm', srv.ArmTrigger, lambda _: {'success': True})
-        # Binder and triangulation, of which nothing else is needed before anything moves: of laser_0 alone.
+        # Replaces binder and triangulation, of which only these are needed before the motion; for laser_0 only.
         rospy.Service('/pose_frame_binder/check_run', srv.StartRun, lambda _: {'success': True})
         rospy.Service('/laser_triangulation/check_run', srv.StartRun,
                       lambda request: {'success': request.run.lasers == 1, 'message': 'laser_1: not calibrated'})
         cls.scan = actionlib.SimpleActionClient('/scan_cell/scan', msg.ScanAction)
         assert cls.scan.wait_for_server(rospy.Duration(TIMEOUT))
         deadline = rospy.get_time() + TIMEOUT
-        while cls.check(program((GOOD, 0.1)))[0] != 0:  # while the nodes come up
+        while cls.check(program((GOOD, 0.1)))[0] != 0:  # until the nodes are up
             assert rospy.get_time() < deadline, cls.check(program((GOOD, 0.1)))
 
     @staticmethod
     def check(text):
-        """Exit code and words of the tool."""
+        """Exit code and output of the tool."""
         with tempfile.NamedTemporaryFile('w', suffix='.yaml', delete=False) as file:
             file.write(text)
         try:

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 # Copyright 2026 the scan cell developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""An adapted path is run with the tool in the simulated cell: dry first, then really, by what people type. The simulator
-says where the tip truly went."""
+"""Runs an adapted path with the tool in the simulated cell, first dry, then for real, with typed commands. The simulator
+gives the true positions of the tip."""
 import hashlib
 import json
 import math
@@ -47,7 +47,7 @@ class Work(unittest.TestCase):
         self.wait_for(lambda: self.status and self.status.motion_possible == RobotStatus.YES)
 
     def on_flange(self, message):
-        """The tool points straight down all along: its tip is below the flange."""
+        """The tool always points straight down: its tip is below the flange."""
         with self.lock:
             self.tips.append((message.pose.position.x, message.pose.position.y, message.pose.position.z - TIP))
 
@@ -99,7 +99,7 @@ class Work(unittest.TestCase):
             return json.load(file)
 
     def expect_tip_at_height(self, height):
-        """All along the path, and nowhere below it."""
+        """The tip was everywhere on the path, and never below it."""
         with self.lock:
             tips = list(self.tips)
         lowest = min(z for _, _, z in tips)
@@ -196,7 +196,7 @@ class Work(unittest.TestCase):
         run = subprocess.Popen(self.command('--dry-run'), stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
                                start_new_session=True)
         self.wait_for(lambda: self.tips and min(z for _, _, z in self.tips[-3:]) < HEIGHT + LIFT + 1e-4)
-        time.sleep(0.5)  # a few waypoints on
+        time.sleep(0.5)  # a few waypoints later
         os.killpg(run.pid, signal.SIGINT)
         log, _ = run.communicate(timeout=PATIENCE)
         self.assertEqual(run.returncode, 1, log)

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 # Copyright 2026 the scan cell developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""A tool that was taught wrong leaves scans and paths as they are, and shows in the figure of the true tip: by as much as it
-was taught wrong."""
+"""A wrongly taught tool does not change scans and paths; the error of the true tip shows it, and equals the error of the
+teaching."""
 import json
 import os
 import shutil
@@ -15,7 +15,7 @@ import rostest
 
 TAUGHT_WRONG = 2.0  # [mm] cell_with_wrong_tip.yaml
 GOAL_MISSED = 3  # exit code of the demo
-ATTEMPTS = 4  # a busy computer holds up the cell
+ATTEMPTS = 4  # a busy computer slows the cell down
 
 
 class WrongTip(unittest.TestCase):

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # Copyright 2026 the scan cell developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""ViDeE on the simulated cell: the session of docs/videe_protocol.md as it stands there, and one state for all clients."""
+"""ViDeE on the simulated cell: the session of docs/videe_protocol.md as written, and one state for all clients."""
 import os
 import re
 import shutil
@@ -30,7 +30,7 @@ def world(name):
 
 
 def session_of_the_page():
-    """Pairs of command and answer, as they stand below the nc command."""
+    """Pairs of command and answer below the nc command."""
     with open(PAGE) as page:
         block = page.read().split('    nc 127.0.0.1 5000\n')[1].split('\n\n')[0]
     lines = [line.strip() for line in block.splitlines()]
@@ -38,7 +38,7 @@ def session_of_the_page():
 
 
 def pattern(answer):
-    """Any number of frames, points and so on will do, and any machine."""
+    """Allows any number of frames, points and so on, and any machine."""
     text = re.sub(r'\d+', r'\\d+', re.escape(answer)) + '$'
     return re.sub(r'machine=\S+', r'machine=\\S+$', text)
 
@@ -68,11 +68,11 @@ class Client:
         self.__exit__()
 
     def send_and_hang_up(self, data):
-        """What the server takes of it within a second."""
+        """What the server accepts within a second."""
         self.socket.settimeout(1)
         try:
             self.socket.sendall(data)
-        except OSError:  # it takes no more, or hung up itself
+        except OSError:  # it accepts no more, or has closed the connection
             pass
         self.close()
 
@@ -147,7 +147,7 @@ class Videe(unittest.TestCase):
         return client
 
     def start_ros_scan(self):
-        """Again and again: the scan of the test before may still be coming to its end."""
+        """Retries: the scan of the test before may still be ending."""
         end = time.time() + TIMEOUT
         self.scan.send_goal(self.ros_goal())
         while self.scan.get_state() != actionlib.GoalStatus.ACTIVE:
@@ -245,7 +245,7 @@ class Videe(unittest.TestCase):
             self.assertEqual(socket.gethostbyname(machine)[:4], '127.')
             self.wait_for(lambda: self.lasers == 0, 'the lasers are off')
             self.assertIn('no scan is running', client.ask('STOP_SCAN'))
-            self.start(client)  # the next one
+            self.start(client)  # the next scan
             self.assertEqual(client.ask('WAIT_SCAN'), 'OK')
             answer = client.ask('STOP_SCAN')
             self.assertIn(' ended=whole ', answer)

@@ -1,7 +1,7 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
-// How long the window of the seat does not answer, act by act, with a scan of a million points in a
-// view of rviz; under a ROS master and on a virtual screen of its own, so without a graphics card.
+// Measures how long the seat's window does not respond, act by act, with a scan of a million points
+// in an rviz view; with its own ROS master and virtual screen, so without a graphics card.
 #include <fmt/format.h>
 #include <ros/ros.h>
 #include <rviz/display.h>
@@ -35,9 +35,9 @@ namespace {
 constexpr double kSide = 0.4;  // [m] of the part, seen from above
 constexpr double kScale = 1500;
 constexpr qint64 kPatienceAct = 60000;  // [ms]
-constexpr qint64 kSettle = 500;         // [ms] looked at after an act is shown
+constexpr qint64 kSettle = 500;         // [ms] observed after an act is shown
 
-/// A wavy plate that is seen from above, with a bar over its middle.
+/// A wavy plate seen from above, with a bar over its middle.
 std::shared_ptr<cloud_preprocess::Cloud> made_scan(std::size_t points) {
   auto cloud = std::make_shared<cloud_preprocess::Cloud>();
   const auto rows = static_cast<int>(std::sqrt(static_cast<double>(points)));
@@ -72,7 +72,7 @@ class Workplace {
     seat_.findChild<QTabWidget*>("pages")->setCurrentIndex(static_cast<int>(Page::kClean));
   }
 
-  /// Prints how it went.
+  /// Does an act and prints its times.
   void act(const char* name, const std::function<void()>& act, const std::function<bool()>& done) {
     QElapsedTimer since;
     since.start();
@@ -217,7 +217,7 @@ class Workplace {
   HoldUps hold_ups_;
 };
 
-/// In a process of its own, which has a screen and a master.
+/// Runs in its own process with a screen and a master.
 int run_inside(int argc, char** argv, std::size_t points) {
   ros::init(argc, argv, "bench_seat");
   const ros::NodeHandle node;

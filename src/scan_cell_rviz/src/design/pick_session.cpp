@@ -16,7 +16,7 @@ Vector3d position(const geometry_msgs::Point& point) {
   return {point.x, point.y, point.z};
 }
 
-/// How far along the ray it meets a triangle (Moeller and Trumbore 1997); infinity: nowhere.
+/// Distance along the ray to a triangle (Moeller and Trumbore 1997); infinity: no intersection.
 double met_at(const Ray& ray, const Vector3d& corner, const Vector3d& one, const Vector3d& other) {
   constexpr double kNowhere = std::numeric_limits<double>::infinity();
   const Vector3d across = ray.direction.cross(other);

@@ -91,7 +91,7 @@ Cloud EditSession::of_source(const EditedCloud::Indices& points) const {
   return cloud;
 }
 
-/// Of a cloud of what is in view, so that a cluster does not hang together by what is not.
+/// Uses only the points in view, so that hidden points do not connect a cluster.
 bool EditSession::hide_now(const CloudEdit& edit) {
   const EditedCloud::Indices points = in_view(edited_.kept());
   const EditedCloud::Indices taken = EditedCloud(of_source(points)).would_take(edit);
@@ -136,7 +136,7 @@ void EditSession::drop_all() {
   });
 }
 
-/// The stages are tried behind it: nobody waits for them to see an edit.
+/// The stages are tried afterwards, so that an edit is shown without waiting for them.
 void EditSession::show() {
   publish();
   queue_trial();
@@ -177,7 +177,7 @@ void EditSession::try_stages(const std::optional<CleanParameters>& parameters) {
   });
 }
 
-/// Behind what is asked for already; only the last one of them counts.
+/// Queues a trial; only the last one queued counts.
 void EditSession::queue_trial() {
   if (!stages_ || !source_) return;
   worker_.add([this, number = ++asked_] {

@@ -16,8 +16,7 @@
 
 namespace scan_cell_rviz {
 
-/// What is done with the points in a shape. The first two are edits; the others only change what is
-/// in view.
+/// What to do with the points in a shape. The first two are edits; the others change only the view.
 enum class EditAct { kDelete, kKeepOnly, kHide, kShowOnly };
 
 using EditShape = decltype(cloud_preprocess::CloudEdit::shape);
@@ -25,34 +24,34 @@ using EditShape = decltype(cloud_preprocess::CloudEdit::shape);
 /// How the next edit is made.
 struct EditSettings {
   EditAct act = EditAct::kDelete;
-  double depth = 0.05;   //!< [m] before and behind, of a polygon
+  double depth = 0.05;   //!< [m] of a polygon, before and behind it
   double radius = 0.01;  //!< [m] of the brush
-  double gap = 0.005;    //!< [m] that a cluster may have
+  double gap = 0.005;    //!< [m] largest gap within a cluster
 };
 
-/// What an automatic stage would take of what the edits leave.
+/// What an automatic stage would remove from what the edits leave.
 struct StageView {
   QString name;                                   //!< floor, outliers or isolate
-  cloud_preprocess::EditedCloud::Indices points;  //!< of the source
-  QString words;                                  //!< how many, and what was found, or why not
+  cloud_preprocess::EditedCloud::Indices points;  //!< indices in the source
+  QString words;                                  //!< how many, what was found, or the error
 };
 
-/// A cloud under edit, as it stands.
+/// The current state of a cloud under edit.
 struct EditedView {
   std::shared_ptr<const cloud_preprocess::Cloud> source;  //!< [m]
-  cloud_preprocess::EditedCloud::Indices kept;            //!< points of it
-  cloud_preprocess::EditedCloud::Indices shown;           //!< those of them that are not hidden
-  cloud_preprocess::EditedCloud::Indices last;  //!< that the last edit took, those in view
-  QStringList edits;                            //!< in force, in words
-  QString yaml;                                 //!< the same, as settings have them
-  std::vector<StageView> stages;                //!< none: they are not tried
+  cloud_preprocess::EditedCloud::Indices kept;            //!< indices in `source`
+  cloud_preprocess::EditedCloud::Indices shown;           //!< those of `kept` that are not hidden
+  cloud_preprocess::EditedCloud::Indices last;            //!< taken by the last edit and in view
+  QStringList edits;                                      //!< in force, in words
+  QString yaml;                                           //!< the same edits as in settings files
+  std::vector<StageView> stages;                          //!< empty: stages are not tried
   bool can_redo = false;
   std::string frame;
 };
 using EditedViewPtr = std::shared_ptr<const EditedView>;
 
-/// A cloud that a person cleans by hand. The work is done aside, one edit after the other; each
-/// ends with changed(), or failed() where it could not be done.
+/// A cloud that a person cleans by hand. A worker does the edits one after the other; each ends
+/// with changed(), or with failed().
 class EditSession : public QObject {
   Q_OBJECT
 
@@ -60,29 +59,29 @@ class EditSession : public QObject {
   EditSession();
   ~EditSession() override;
 
-  /// Another cloud, without edits.
+  /// Opens another cloud, without edits.
   void open(std::shared_ptr<const cloud_preprocess::Cloud> cloud, const std::string& frame);
-  /// Does with the shape what the settings say.
+  /// Applies the shape as set by the settings.
   void apply(const EditShape& shape);
-  /// An edit takes hidden points, too: it does the same headless, where nothing is hidden.
+  /// An edit also takes hidden points: run headless, where nothing is hidden, it does the same.
   void add(const cloud_preprocess::CloudEdit& edit);
-  /// Takes out of view what the edit would take of what is in view. No edit, and not saved.
+  /// Hides those points in view that the edit would take. This is no edit and is not saved.
   void hide(const cloud_preprocess::CloudEdit& edit);
   void show_all();
-  /// Shows from here on what the stages would take. Of calls that come faster than it can be
-  /// computed only the last one counts.
-  /// @param parameters none: they are no longer tried
+  /// Shows from now on what the stages would remove. If calls come faster than they are computed,
+  /// only the last one counts.
+  /// @param parameters none: stop trying the stages
   void try_stages(const std::optional<cloud_preprocess::CleanParameters>& parameters);
   void undo();
   void redo();
   void drop_all();
 
-  /// @return null: no cloud was opened
+  /// @return null: no cloud is open
   EditedViewPtr view() const;
   EditSettings settings() const;
   void set_settings(const EditSettings& settings);
 
-  /// The point that a person sees there, in the cloud's frame.
+  /// The visible point under the ray, in the cloud's frame.
   std::optional<Eigen::Vector3d> pick(const Ray& ray) const;
 
  Q_SIGNALS:
@@ -102,23 +101,23 @@ class EditSession : public QObject {
   bool any_hidden() const;
   bool hide_now(const cloud_preprocess::CloudEdit& edit);
 
-  // Of the worker, up to the frame.
+  // Used by the worker, down to the frame.
   cloud_preprocess::EditedCloud edited_;
-  std::vector<bool> hidden_;                                 // by point of the source
-  std::optional<cloud_preprocess::CleanParameters> stages_;  // that are tried
-  std::unique_ptr<cloud_preprocess::StageTrial> trial_;      // null: not of the present edits
-  cloud_preprocess::EditedCloud::Indices trial_points_;      // its points, of the source
-  std::vector<StageView> tried_;                             // by the last trial that was done
-  int asked_ = 0;                                            // trials that were to be done
+  std::vector<bool> hidden_;                                 // per point of the source
+  std::optional<cloud_preprocess::CleanParameters> stages_;  // to be tried
+  std::unique_ptr<cloud_preprocess::StageTrial> trial_;      // null: not for the present edits
+  cloud_preprocess::EditedCloud::Indices trial_points_;      // indices of its points in the source
+  std::vector<StageView> tried_;                             // by the last finished trial
+  int asked_ = 0;                                            // number of trials requested
   std::shared_ptr<const cloud_preprocess::Cloud> source_;
   std::string frame_;
-  mutable std::mutex mutex_;  // of what follows
+  mutable std::mutex mutex_;  // guards what follows
   EditedViewPtr view_;
   EditSettings settings_;
   Worker worker_;  // last: it uses all of the above
 };
 
-/// The one that the seat and the tools of rviz share.
+/// The session that the seat and rviz's tools share.
 EditSession& shared_edit_session();
 
 }  // namespace scan_cell_rviz

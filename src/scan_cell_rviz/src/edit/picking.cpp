@@ -56,7 +56,7 @@ PrismShape prism_behind(const std::vector<Ray>& corners, const Vector3d& place, 
   prism.nearest = -depth;
   prism.farthest = depth;
   for (const Ray& corner : corners) {
-    constexpr double kGrazing = 0.05;  // of a right angle's sine: three degrees; chosen
+    constexpr double kGrazing = 0.05;  // sine of three degrees; chosen
     const double slope = -corner.direction.dot(prism.towards);
     if (!(slope > kGrazing))
       throw UnusableInput("polygon", "a corner beside the view", "draw it before the cloud");
@@ -67,7 +67,7 @@ PrismShape prism_behind(const std::vector<Ray>& corners, const Vector3d& place, 
 }
 
 HalfSpace side_towards(const std::vector<Vector3d>& places, const Vector3d& viewer) {
-  constexpr double kLeast = 1e-6;  // [m^2] twice the area: a millimetre beside one another; chosen
+  constexpr double kLeast = 1e-6;  // [m^2] twice the area: 1 mm apart; chosen
   const Vector3d normal = (places.at(1) - places.at(0)).cross(places.at(2) - places.at(0));
   if (!(normal.norm() > kLeast))
     throw UnusableInput("plane", "three places on a line", "click three that span it");

@@ -6,8 +6,8 @@
 
 namespace scan_cell_rviz {
 
-/// What a stage would take, in the view and on the page. Told apart by all eyes (Okabe and Ito,
-/// Color Universal Design), and all darker than what stays.
+/// Colours of what each stage would remove, in the view and on the page. They can be told apart
+/// with any colour vision (Okabe and Ito, Color Universal Design), and are darker than the rest.
 struct StageColour {
   const char* stage;
   float red, green, blue;  // 0 .. 1

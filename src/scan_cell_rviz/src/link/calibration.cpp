@@ -8,7 +8,7 @@
 
 namespace scan_cell_rviz {
 
-/// Aside: a master that hangs must not hold up anything else.
+/// Runs in the worker: a master that hangs must not block anything else.
 void CellLink::look_at_calibration() {
   std::string file, hash;
   ros::param::get(names_.frames + "/scanner_file", file);
@@ -21,12 +21,12 @@ void CellLink::look_at_calibration() {
                 .count();
     }
   } catch (const std::exception&) {
-    hash.clear();  // the sign says that it is not here
+    hash.clear();  // the sign says that the file is not here
   }
   show(Device::kCalibration, calibration_sign(file, hash, age));
 }
 
-/// Aside, likewise.
+/// Runs in the worker, too.
 void CellLink::look_at_robot() {
   std::string urdf;
   RobotLimits limits;
@@ -35,7 +35,7 @@ void CellLink::look_at_robot() {
   ros::param::get(names_.robot + "/joint_upper", limits.upper);
   const RobotLimitsGiven given{urdf, limits.lower, limits.upper};
   if (given == limits_given_) return;
-  limits_given_ = given;  // what is wrong with it is told once
+  limits_given_ = given;  // errors in it are reported once
   limits.of_robot = limits_in(urdf);
   Q_EMIT limitsCame(limits);
 }

@@ -24,7 +24,7 @@ CellActions::CellActions(ros::NodeHandle node, const NodeNames& names,
   for (const char* const action : kOfCell)
     actions_[cell_ + action];
   actions_[recipes_];
-  for (const auto& [name, action] : actions_)  // all are there before the first is told of
+  for (const auto& [name, action] : actions_)  // all exist before the first status comes
     follow(node, name);
 }
 

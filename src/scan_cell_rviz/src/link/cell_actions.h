@@ -14,26 +14,26 @@
 
 namespace scan_cell_rviz {
 
-/// The actions of the recipes' node and of the cell, whoever asks for them: whether one is under
-/// way, and their end. Safe for use from several threads.
+/// The actions of the recipes' node and of the cell, whoever started them: whether a goal is
+/// active, and cancelling it. Safe for use from several threads.
 class CellActions {
  public:
-  /// @param changed any() may be another; called without a lock
+  /// @param changed called without a lock when any() may have changed
   CellActions(ros::NodeHandle node, const NodeNames& names, std::function<void()> changed);
 
-  bool any() const;  ///< has a goal
+  bool any() const;  ///< whether a goal is active
 
-  /// Ends what is under way in the cell. What the recipes' node began there it ends itself, and
-  /// knows then why it ended; where it does not within a second, look() does. Goals have the times
-  /// of other computers' clocks, so all are ended, a new one, too.
-  /// @param by_recipes it is known to have one
+  /// Cancels what is active in the cell. The recipes' node cancels its own goals there, so it knows
+  /// why they ended; if it does not within a second, look() does. Goals have timestamps of other
+  /// computers' clocks, so all are cancelled, even a new one.
+  /// @param by_recipes the recipes' node is known to have a goal
   void stop(bool by_recipes);
-  void look();  ///< to be called several times a second
+  void look();  ///< call it several times a second
 
-  /// Their node is gone, and with it what it did.
+  /// Their node is gone, and its goals with it.
   void forget_recipes();
   void forget_cell();
-  void forget();  ///< both, until they tell anew
+  void forget();  ///< both, until they publish again
 
   const ros::Subscriber& of_recipes() const { return actions_.at(recipes_).status; }
 
@@ -48,11 +48,11 @@ class CellActions {
   void set(const std::string& action, bool under_way);
   void stop_cell();
 
-  const std::string recipes_, cell_;  // the action of the one, the node of the other
+  const std::string recipes_, cell_;  // action of the recipes' node, name of the cell's node
   const std::function<void()> changed_;
   std::map<std::string, Action> actions_;  // by name
-  ros::WallTime stopped_;                  // when stop() was called; zero: long ago
-  mutable std::mutex mutex_;               // of under_way and stopped_
+  ros::WallTime stopped_;                  // time of stop(); zero: none pending
+  mutable std::mutex mutex_;               // guards under_way and stopped_
 };
 
 }  // namespace scan_cell_rviz

@@ -20,13 +20,13 @@ using scan_cell_msgs::RunRecipeResult;
 
 namespace {
 
-constexpr double kLook = 0.25;          // [s] between two looks at what is there; chosen
-constexpr int kLooksAList = 4;          // while there is none: every second; chosen
-constexpr int kLooksAPresence = 4;      // that is every second; chosen
-constexpr int kLooksACalibration = 40;  // that is every 10 s; chosen
+constexpr double kLook = 0.25;          // [s] between two checks; chosen
+constexpr int kLooksAList = 4;          // without a list: every second; chosen
+constexpr int kLooksAPresence = 4;      // every second; chosen
+constexpr int kLooksACalibration = 40;  // every 10 s; chosen
 constexpr double kCallTimeout = 5;      // [s] for an answer; chosen
 constexpr double kPreviewTimeout = 20;  // [s] a tool is started, and it waits for the cell; chosen
-constexpr double kTaken = 10;           // [s] for a goal to be taken where nobody else has the cell
+constexpr double kTaken = 10;           // [s] for a goal to be accepted if nobody else has the cell
 constexpr double kGone = 3;             // [s] without the server until its goal is given up
 constexpr double kCameraSilent = 5;     // [s] diagnostics come every second
 
@@ -103,7 +103,7 @@ CellLink::~CellLink() {
   spinner_.stop();
   presence_worker_.reset();
   preview_worker_.reset();
-  worker_.reset();  // while there still is somebody whose signals it emits
+  worker_.reset();  // while the receivers of its signals still exist
 }
 
 void CellLink::start() {
@@ -116,7 +116,7 @@ Busy CellLink::busy() const {
   return actions_->any() ? Busy::kOthers : Busy::kFree;
 }
 
-/// Runs a task aside; what it throws becomes failed().
+/// Runs a task in a worker; an exception becomes failed().
 template <class Task>
 void CellLink::ask(Worker& worker, Task task) {
   worker.add(task, [this](const QString& message) { Q_EMIT failed(message); });
@@ -136,7 +136,7 @@ void CellLink::list_recipes() {
   });
 }
 
-/// What a person does then.
+/// What a person can do if there is no recipe.
 QString CellLink::words_of_no_recipe() const {
   std::string folder;
   ros::param::get(names_.recipes + "/recipes", folder);
@@ -278,12 +278,12 @@ void CellLink::end(const RunRecipeResult& result) {
     ours_ = false;
     was = doing_;
   }
-  actions_->forget();  // they were of this goal; what others do is told again
+  actions_->forget();  // of this goal; other goals are published again
   tell_busy();
   Q_EMIT runEnded(result, was);
 }
 
-/// Of this seat.
+/// Whether this seat's goal is a dry run.
 bool CellLink::is_dry_run() const {
   const std::lock_guard<std::mutex> lock(mutex_);
   return ours_ && doing_ == Doing::kDryRun;
@@ -327,8 +327,8 @@ void CellLink::look() {
   look_at_run();
 }
 
-/// Gives a goal up whose server is gone or does not take it: the cell itself ends what its tool
-/// began there.
+/// Gives up a goal whose server is gone or does not accept it. The cell itself ends what the goal's
+/// tool began there.
 void CellLink::look_at_run() {
   const ros::WallTime now = ros::WallTime::now();
   const bool connected = client_->is_connected();

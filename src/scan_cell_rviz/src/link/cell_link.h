@@ -42,12 +42,12 @@ namespace scan_cell_rviz {
 /// Who has the cell.
 enum class Busy { kFree, kOurs, kOthers };
 
-/// What a goal of this seat asks for.
+/// What a goal of this seat does.
 enum class Doing { kRun, kDryRun, kWork, kEdit };
 
-/// The cell as the seat knows it: what a person does there becomes a goal or a call, and what comes
-/// back a signal. Nothing blocks: topics and actions are served by a thread of its own, calls are
-/// made by another. Any node may be gone and come back.
+/// The seat's connection to the cell: it turns a person's actions into goals and calls, and answers
+/// into signals. Nothing blocks: topics and actions have their own thread, calls another. Any node
+/// may go away and come back.
 class CellLink : public QObject {
   Q_OBJECT
 
@@ -55,42 +55,42 @@ class CellLink : public QObject {
   explicit CellLink(const NodeNames& names);
   ~CellLink() override;
 
-  /// From here on signals come: connect them before.
+  /// Starts sending signals: connect them before.
   void start();
 
   Busy busy() const;
 
-  /// Answers by recipesListed or recipesMissed. It is done by itself whenever their node comes up.
+  /// Answered by recipesListed or recipesMissed. It is also done whenever their node comes up.
   void list_recipes();
 
-  /// Each answers by a signal: runsListed, described, decided, or failed.
+  /// Each is answered by a signal: runsListed, described, decided, or failed.
   void list_runs();
   void describe(const QString& run);
   void decide(const QString& run, bool approved, const QString& name, const QString& note);
 
-  /// Puts edits by hand into a recipe. Answers by edited, or failed.
+  /// Saves edits by hand in a recipe. Answered by edited or failed.
   /// @param edits in YAML
   void edit(const QString& recipe, const QString& edits);
 
-  /// Puts the settings of the cleaning stages into a recipe. Answers by edited, or failed.
+  /// Saves the settings of the cleaning stages in a recipe. Answered by edited or failed.
   /// @param stages in YAML
   void set_stages(const QString& recipe, const QString& stages);
 
   /// Scans and adapts a part. Ends with runEnded.
   void run(const QString& recipe, const QString& note);
 
-  /// Asks what the robot would do to work the part of a run. Answers by previewed, or failed.
+  /// Asks what the robot would do to work the part of a run. Answered by previewed or failed.
   void preview(const QString& run, bool dry);
 
   /// Works the part of a run. Ends with runEnded.
   void work(const QString& run, bool dry);
 
-  /// Makes a run of its own from a run and edits of its path. Ends with runEnded.
+  /// Makes a new run from a run and edits of its path. Ends with runEnded.
   /// @param edits in YAML
   void edit_path(const QString& run, const QString& edits, const QString& note);
 
-  /// Cancels what is under way, another's, too; what run(), work() or edit_path() began ends with
-  /// runEnded.
+  /// Cancels what is active, also another seat's goals. What run(), work() or edit_path() began
+  /// ends with runEnded.
   void stop();
 
  Q_SIGNALS:
@@ -102,16 +102,16 @@ class CellLink : public QObject {
   void described(scan_cell_msgs::DescribeRunResponse run);
   void decided(QString run);
   void edited(QString recipe);
-  void rawCame(sensor_msgs::PointCloud2ConstPtr raw);           ///< of the run that was described
-  void previewed(scan_cell_msgs::WorkPreviewConstPtr preview);  ///< whoever asked for it
+  void rawCame(sensor_msgs::PointCloud2ConstPtr raw);           ///< of the described run
+  void previewed(scan_cell_msgs::WorkPreviewConstPtr preview);  ///< also for another seat
   void limitsCame(scan_cell_rviz::RobotLimits limits);          ///< of the robot's joints
   void failed(QString message);
-  void progressed(QString doing, double share);  ///< share below 0: not known
+  void progressed(QString doing, double share);  ///< share below 0: unknown
   void runEnded(scan_cell_msgs::RunRecipeResult result, scan_cell_rviz::Doing was);
 
  private:
   using Client = scan_cell_common::GoalClient<scan_cell_msgs::RunRecipeAction>;
-  /// A URDF, and what the driver's parameters joint_lower and joint_upper have.
+  /// A URDF, and the driver's parameters joint_lower and joint_upper.
   using RobotLimitsGiven = std::tuple<std::string, std::vector<double>, std::vector<double>>;
 
   QString words_of_no_recipe() const;
@@ -144,23 +144,23 @@ class CellLink : public QObject {
 
   mutable std::mutex mutex_;
   std::array<Sign, kDevices> signs_;
-  std::array<std::optional<Sign>, kDevices> heard_;  // what each said last
-  std::set<std::string> missed_;                     // topics that nobody publishes
+  std::array<std::optional<Sign>, kDevices> heard_;  // last state of each
+  std::set<std::string> missed_;                     // topics without a publisher
   Busy told_ = Busy::kFree;
-  bool ours_ = false;            // a goal of this seat is under way
-  Doing doing_ = Doing::kRun;    // the goal of this seat
-  int goal_ = 0;                 // counts, so that a late end of an old one is told apart
-  ros::WallTime sent_, unseen_;  // unseen: since when the server is gone; zero: it is there
+  bool ours_ = false;            // this seat has an active goal
+  Doing doing_ = Doing::kRun;    // of this seat's goal
+  int goal_ = 0;                 // counts goals, to recognize the late end of an old one
+  ros::WallTime sent_, unseen_;  // unseen: when the server went away; zero: it is there
   ros::WallTime camera_seen_;
 
   int looks_ = 0;
-  bool recipes_missed_ = false;      // and that was said
-  std::atomic<bool> listed_{false};  // the recipes of the node that is there
+  bool recipes_missed_ = false;      // and reported
+  std::atomic<bool> listed_{false};  // the recipes of the present node are listed
   std::unique_ptr<Worker> worker_ = std::make_unique<Worker>();
-  RobotLimitsGiven limits_given_;     // when they were looked at last; by worker_
+  RobotLimitsGiven limits_given_;     // as last read; by worker_
   std::atomic<bool> looking_{false};  // for nodes
   std::unique_ptr<Worker> presence_worker_ = std::make_unique<Worker>();
-  std::unique_ptr<Worker> preview_worker_ = std::make_unique<Worker>();  // others need not wait
+  std::unique_ptr<Worker> preview_worker_ = std::make_unique<Worker>();  // does not delay others
   ros::AsyncSpinner spinner_;
 };
 

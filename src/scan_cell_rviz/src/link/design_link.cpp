@@ -25,7 +25,7 @@ DesignLink::DesignLink(const NodeNames& names) : names_(names), spinner_(1, &que
 
 DesignLink::~DesignLink() {
   spinner_.stop();
-  worker_.reset();  // while there still is somebody whose signals it emits
+  worker_.reset();  // while the receivers of its signals still exist
 }
 
 void DesignLink::start() {
@@ -35,7 +35,7 @@ void DesignLink::start() {
 void DesignLink::design(const scan_cell_msgs::DesignPathRequest& request) {
   const int number = ++latest_;
   const auto task = [this, request, number] {
-    // What is to be saved is saved, whatever was asked for since.
+    // A path to be saved is saved, whatever was requested since.
     if (number != latest_ && request.save_as.empty()) return;
     const auto answer = scan_cell::ask<scan_cell_msgs::DesignPath>(names_.recipes + "/design",
                                                                    request, kDesignTimeout);

@@ -17,8 +17,8 @@
 
 namespace scan_cell_rviz {
 
-/// What a person needs to make a path on a reference. As CellLink, nothing blocks and the node may
-/// be gone and come back.
+/// The connection for making a path on a reference. As in CellLink, nothing blocks, and the node
+/// may go away and come back.
 class DesignLink : public QObject {
   Q_OBJECT
 
@@ -26,11 +26,11 @@ class DesignLink : public QObject {
   explicit DesignLink(const NodeNames& names);
   ~DesignLink() override;
 
-  /// From here on signals come: connect them before.
+  /// Starts sending signals: connect them before.
   void start();
 
-  /// Answers by designed, or refused; but of those that wait for an answer to an earlier one, only
-  /// the latest is asked, and what is to be saved.
+  /// Answered by designed or refused. Of the requests that wait for an earlier answer, only the
+  /// latest and those to be saved are sent.
   void design(const scan_cell_msgs::DesignPathRequest& request);
 
  Q_SIGNALS:

@@ -1,6 +1,6 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
-// What the link hears of the devices, and which of their nodes are there.
+// What the link receives from the devices, and which of their nodes are running.
 #include "link/cell_link.h"
 #include "scan_cell_common/ros/node_process.h"
 #include "signs/signs.h"
@@ -34,7 +34,7 @@ void CellLink::hear(Device device, const Sign& sign) {
   show(device, sign);
 }
 
-/// What it said last, unless it is gone.
+/// Shows the last state of a device, unless its node is gone.
 void CellLink::show_presence(Device device, const ros::Subscriber& subscriber) {
   std::optional<Sign> sign;
   {
@@ -46,7 +46,7 @@ void CellLink::show_presence(Device device, const ros::Subscriber& subscriber) {
   if (sign) show(device, *sign);
 }
 
-/// By a worker of its own: a computer that is gone takes a second each.
+/// Has its own worker: each check of a computer that is gone takes a second.
 void CellLink::look_for_nodes() {
   if (looking_.exchange(true)) return;
   presence_worker_->add([this] {

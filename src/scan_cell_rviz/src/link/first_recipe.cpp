@@ -7,13 +7,13 @@
 namespace scan_cell_rviz {
 namespace {
 
-/// As the README has it.
+/// From the README.
 constexpr const char* kCommand =
     "rosrun part_recipes recipe new frame --reference out/reference.ply --path out/tool_path.csv "
     "--program $(rospack find scan_cell)/config/both_lasers.yaml --work waypoint_z=into_part "
     "--robot-program frame.src --program-option waypoint_z=into_part";
 
-/// One word of a shell, whatever is in it.
+/// Quotes any text as one word of a shell.
 std::string quoted(const std::string& word) {
   std::string text = "'";
   for (const char letter : word)

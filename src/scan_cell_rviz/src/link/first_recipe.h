@@ -6,9 +6,8 @@
 
 namespace scan_cell_rviz {
 
-/// The README's command for the recipe of the demo's part, to be pasted into a shell.
-/// @param recipes folder that the recipe goes into; relative ones are of this process; empty: to be
-/// filled in, FOLDER
+/// The README's command that makes the recipe of the demo's part, to paste into a shell.
+/// @param recipes folder for the recipe, relative to this process; empty: the placeholder FOLDER
 std::string first_recipe_command(const std::string& recipes);
 
 }  // namespace scan_cell_rviz

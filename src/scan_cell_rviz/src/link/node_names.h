@@ -6,7 +6,7 @@
 
 namespace scan_cell_rviz {
 
-/// The cell's nodes and topics by name.
+/// Names of the cell's nodes and topics.
 struct NodeNames {
   std::string recipes = "/part_recipes";      //!< node
   std::string robot = "/c4g_driver";          //!< node

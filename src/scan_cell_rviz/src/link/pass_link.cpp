@@ -13,7 +13,7 @@ using scan_cell_msgs::CheckProgram;
 using scan_cell_msgs::EditProgram;
 
 constexpr double kProgramTimeout = 5;        // [s] for an answer; chosen
-constexpr double kCheckProgramTimeout = 10;  // [s] the controller is asked for each place; chosen
+constexpr double kCheckProgramTimeout = 10;  // [s] the controller is asked about each place; chosen
 
 }  // namespace
 
@@ -25,7 +25,7 @@ PassLink::PassLink(const NodeNames& names) : names_(names) {
 
 PassLink::~PassLink() {
   ++latest_;
-  worker_.reset();  // while there still is somebody whose signals it emits
+  worker_.reset();  // while the receivers of its signals still exist
 }
 
 void PassLink::load(const QString& recipe) {
@@ -46,7 +46,7 @@ void PassLink::save(const QString& recipe, const std::string& frame,
   edit(request, [this, recipe](const EditProgram::Response&) { Q_EMIT programSaved(recipe); });
 }
 
-/// @param end gets the answer
+/// @param end receives the answer
 template <class End>
 void PassLink::edit(const scan_cell_msgs::EditProgramRequest& request, const End& end) {
   const auto task = [this, request, end] {

@@ -17,8 +17,8 @@
 
 namespace scan_cell_rviz {
 
-/// The scan programs of recipes, and what the cell says of their passes. As CellLink, nothing
-/// blocks and the nodes may be gone and come back.
+/// The scan programs of recipes, and what the cell finds about their passes. As in CellLink,
+/// nothing blocks, and the nodes may go away and come back.
 class PassLink : public QObject {
   Q_OBJECT
 
@@ -26,21 +26,21 @@ class PassLink : public QObject {
   explicit PassLink(const NodeNames& names);
   ~PassLink() override;
 
-  /// Answers by programCame, or failed.
+  /// Answered by programCame or failed.
   void load(const QString& recipe);
 
-  /// Puts them into the recipe. Answers by programSaved, or failed.
+  /// Saves the passes in the recipe. Answered by programSaved or failed.
   void save(const QString& recipe, const std::string& frame,
             const std::vector<scan_cell_msgs::ScanPass>& passes);
 
-  /// Asks the cell for each pass alone, from where the robot stands. Answers by checked; where
-  /// other passes came meanwhile, those alone are answered.
+  /// Asks the cell about each pass alone, from the robot's present pose. Answered by checked; if
+  /// other passes come meanwhile, only they are answered.
   void check(const std::string& frame, const std::vector<scan_cell_msgs::ScanPass>& passes);
 
  Q_SIGNALS:
   void programCame(QString recipe, scan_cell_msgs::EditProgramResponse program);
   void programSaved(QString recipe);
-  void checked(std::vector<scan_cell_msgs::CheckProgramResponse> passes);  ///< one each
+  void checked(std::vector<scan_cell_msgs::CheckProgramResponse> passes);  ///< one per pass
   void failed(QString message);
 
  private:

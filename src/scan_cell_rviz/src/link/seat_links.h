@@ -9,12 +9,12 @@
 
 namespace scan_cell_rviz {
 
-/// All that a seat knows of the cell.
+/// All connections of a seat to the cell.
 struct SeatLinks {
   explicit SeatLinks(const NodeNames& names)
       : cell(names), teach(names), design(names), passes(names) {}
 
-  /// From here on signals come: connect them before.
+  /// Starts sending signals: connect them before.
   void start() {
     cell.start();
     teach.start();

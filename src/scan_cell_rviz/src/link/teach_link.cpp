@@ -12,7 +12,7 @@
 namespace scan_cell_rviz {
 namespace {
 
-constexpr double kTell = 0.1;          // [s] from joints to joints: a person reads them; chosen
+constexpr double kTell = 0.1;          // [s] between joint readings, for a person; chosen
 constexpr double kRecordTimeout = 10;  // [s] the robot must stand still first; chosen
 
 QString words_of(const scan_cell_msgs::RecordPoseResponse& answer, const QString& file) {
@@ -43,7 +43,7 @@ TeachLink::TeachLink(const NodeNames& names) : names_(names), spinner_(1, &queue
 
 TeachLink::~TeachLink() {
   spinner_.stop();
-  worker_.reset();  // while there still is somebody whose signals it emits
+  worker_.reset();  // while the receivers of its signals still exist
 }
 
 void TeachLink::start() {

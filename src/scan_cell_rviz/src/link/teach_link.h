@@ -19,8 +19,8 @@
 
 namespace scan_cell_rviz {
 
-/// What a person needs to teach: the robot moved by buttons, and poses kept. As CellLink, nothing
-/// blocks and any node may be gone and come back.
+/// The connection for teaching: moving the robot by buttons, and recording poses. As in CellLink,
+/// nothing blocks, and any node may go away and come back.
 class TeachLink : public QObject {
   Q_OBJECT
 
@@ -28,16 +28,16 @@ class TeachLink : public QObject {
   explicit TeachLink(const NodeNames& names);
   ~TeachLink() override;
 
-  /// From here on signals come: connect them before.
+  /// Starts sending signals: connect them before.
   void start();
 
-  /// Whether the driver is there. Others may listen to jog(), so its own topic tells.
+  /// Whether the driver is there. Others may subscribe to jog(), so the driver's own topic counts.
   bool has_driver() const { return state_.getNumPublishers() > 0 && jog_.getNumSubscribers() > 0; }
 
-  /// One message: the robot moves while these come. Sent at once, by whoever calls.
+  /// Sends one message at once, from the caller's thread. The robot moves while messages come.
   void jog(const scan_cell_msgs::Jog& message) { jog_.publish(message); }
 
-  /// Appends the flange's pose to a file on the cell's computer. Answers by recorded, or failed.
+  /// Appends the flange's pose to a file on the cell's computer. Answered by recorded or failed.
   void record(const QString& file);
 
  Q_SIGNALS:

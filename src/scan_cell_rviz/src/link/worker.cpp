@@ -42,8 +42,8 @@ void Worker::add(std::function<void()> task, std::function<void(QString message)
 }
 
 void Worker::work() {
-  constexpr int kNice = 4;  // the window goes first where processors are few; chosen
-  setpriority(PRIO_PROCESS, static_cast<id_t>(syscall(SYS_gettid)), kNice);  // of this thread alone
+  constexpr int kNice = 4;  // the window has priority on few processors; chosen
+  setpriority(PRIO_PROCESS, static_cast<id_t>(syscall(SYS_gettid)), kNice);  // of this thread only
   std::unique_lock<std::mutex> lock(mutex_);
   while (true) {
     changed_.wait(lock, [this] { return ending_ || !tasks_.empty(); });

@@ -11,18 +11,18 @@
 
 namespace scan_cell_rviz {
 
-/// Does one thing after another, aside of the window.
+/// Runs tasks one after another, outside the window's thread.
 class Worker {
  public:
   Worker();
-  /// Waits for the one under way; those behind it are dropped.
+  /// Waits for the running task; waiting tasks are dropped.
   ~Worker();
   Worker(const Worker&) = delete;
   Worker& operator=(const Worker&) = delete;
 
   void add(std::function<void()> task);
 
-  /// @param failed gets what the task throws, by the worker's thread
+  /// @param failed receives what the task throws, in the worker's thread
   void add(std::function<void()> task, std::function<void(QString message)> failed);
 
  private:

@@ -34,7 +34,7 @@ struct Answer {
 };
 
 /// Asks before the window closes.
-/// @return which of the answers was given; none: it shall not close
+/// @return index of the answer; none: keep it open
 std::optional<std::size_t> ask(QWidget* parent, const QString& title, const QString& text,
                                const std::vector<Answer>& answers) {
   QMessageBox question(QMessageBox::Question, title, text, QMessageBox::NoButton, parent);
@@ -51,7 +51,7 @@ std::optional<std::size_t> ask(QWidget* parent, const QString& title, const QStr
 }  // namespace
 
 SeatPanel::SeatPanel(QWidget* parent) : rviz::Panel(parent) {
-  install_translation();  // before there is any text
+  install_translation();  // before any text is made
   auto* const layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
 }
@@ -114,7 +114,7 @@ bool SeatPanel::eventFilter(QObject* object, QEvent* event) {
   return rviz::Panel::eventFilter(object, event);
 }
 
-/// Shows a topic where no display does; whether it is seen goes by the page.
+/// Shows a topic if no display does; its visibility depends on the page.
 void SeatPanel::show_topic(const QString& type, const char* name, const char* property,
                            const std::string& topic) {
   display_of(*vis_manager_, type, name).subProp(property)->setValue(QString::fromStdString(topic));
@@ -138,7 +138,7 @@ void SeatPanel::show_pose(int pose) {
   preview.subProp("Pose")->setValue(pose);
 }
 
-/// The preview of another run is not drawn beside this one.
+/// Previews of other runs are not drawn.
 void SeatPanel::show_run(const QString& run) {
   run_ = run;
   for_each_display(*vis_manager_, [&run](rviz::Display& display) {
@@ -146,8 +146,8 @@ void SeatPanel::show_run(const QString& run) {
   });
 }
 
-/// @param name of a tool of this package, such as polygon; box, passes and view go with rviz's own,
-/// which drags handles
+/// @param name of a tool of this package, such as polygon; box, passes and view use rviz's default
+/// tool, which drags handles
 void SeatPanel::use_tool(const QString& name) {
   rviz::ToolManager* const tools = vis_manager_->getToolManager();
   if (name == "box") {
@@ -165,7 +165,7 @@ void SeatPanel::use_tool(const QString& name) {
   tools->setCurrentTool(tools->addTool(wanted));
 }
 
-/// A tool that edits the scan must not edit it beside a page where it is not seen.
+/// Deselects the tool: it must not edit a scan that is not in view.
 void SeatPanel::show_page(Page page) {
   use_tool("view");
   views_->show(page, !seat_->is_free());
@@ -187,14 +187,14 @@ void SeatPanel::fit_view() {
   if (const auto place = seat_->place()) views_->fit(*place);
 }
 
-/// As long as nobody has chosen from where the page is seen. The first page and the robot's are
-/// about the cell.
+/// Fits the view unless a person has chosen one. The first page and the teach page are about the
+/// whole cell.
 void SeatPanel::fit_view_once() {
   const Page page = seat_->page();
   if (page != Page::kPart && page != Page::kTeach && !views_->has_view()) fit_view();
 }
 
-/// Turns the view; where the frame is not known to rviz, it stays.
+/// Turns the view; if rviz does not know the frame, it stays.
 void SeatPanel::look_at(double x, double y, double z, const QString& frame) {
   const auto pose = frame_in_view(*vis_manager_, frame.toStdString());
   if (pose)
@@ -202,7 +202,7 @@ void SeatPanel::look_at(double x, double y, double z, const QString& frame) {
                                                          pose->orientation * to_ogre({x, y, z}));
 }
 
-/// What a person did by hand is not lost without a word.
+/// Asks before a person's edits are lost.
 bool SeatPanel::may_lose_edits() {
   const QStringList unsaved = seat_->unsaved();
   return unsaved.isEmpty() ||

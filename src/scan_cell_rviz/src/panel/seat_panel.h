@@ -16,7 +16,7 @@
 
 namespace scan_cell_rviz {
 
-/// The seat as a panel of rviz. It asks before the window closes amid a scan or work.
+/// The seat as an rviz panel. It asks before the window closes during a scan or work.
 class SeatPanel : public rviz::Panel {
   Q_OBJECT
 
@@ -54,7 +54,7 @@ class SeatPanel : public rviz::Panel {
   QString run_;  // in view
   QString person_;
   QString pose_file_;
-  rviz::Config kept_views_;  // as the settings have them
+  rviz::Config kept_views_;  // as in the settings
 };
 
 }  // namespace scan_cell_rviz

@@ -61,7 +61,7 @@ void PassSession::select(const std::optional<PassPose>& at) {
 }
 
 void PassSession::show_reach(const std::vector<PassReach>& reach) {
-  if (reach.size() != passes_.size()) return;  // of a program that is no longer in view
+  if (reach.size() != passes_.size()) return;  // for a program that is no longer in view
   reach_ = reach;
   Q_EMIT reachChanged();
 }

@@ -16,13 +16,13 @@ namespace scan_cell_rviz {
 /// Whether the robot can scan a pass.
 enum class Reach { kUnknown, kReachable, kNot };
 
-/// What the cell says of a pass.
+/// What the cell finds about a pass.
 struct PassReach {
   Reach reach = Reach::kUnknown;
-  QString why;  ///< not, or not known
+  QString why;  ///< why not, or why unknown
 };
 
-/// A pose of a pass, by their numbers.
+/// Identifies a pose of a pass by indices.
 struct PassPose {
   std::size_t pass = 0;
   std::size_t pose = 0;
@@ -31,14 +31,14 @@ struct PassPose {
 /// "start", "via" and "end", or the number of a pose of a polyline.
 QString pose_name(const scan_cell_msgs::ScanPass& pass, std::size_t pose);
 
-/// The passes of a scan program that a person drags, with undo and redo without end.
+/// The passes of a scan program, dragged by a person, with unlimited undo and redo.
 class PassSession : public QObject {
   Q_OBJECT
 
  public:
   using Passes = std::vector<scan_cell_msgs::ScanPass>;
 
-  /// Another program, as it is.
+  /// Opens another program.
   void open(const std::string& frame, const Passes& passes);
 
   void move(const PassPose& at, const Eigen::Isometry3d& pose);  ///< [m]
@@ -46,7 +46,7 @@ class PassSession : public QObject {
   void redo();
   void select(const std::optional<PassPose>& at);
 
-  /// What the cell says of the passes as they are now, one each.
+  /// Sets what the cell finds about the present passes, one each.
   void show_reach(const std::vector<PassReach>& reach);
 
   const Passes& passes() const { return passes_; }
@@ -57,7 +57,7 @@ class PassSession : public QObject {
   bool can_redo() const { return !undone_.empty(); }
 
  Q_SIGNALS:
-  void changed();  ///< the passes
+  void changed();  ///< of the passes
   void selectionChanged();
   void reachChanged();
 
@@ -66,13 +66,13 @@ class PassSession : public QObject {
 
   std::string frame_;
   Passes passes_;
-  std::vector<Passes> before_;  // each change
-  std::vector<Passes> undone_;  // the next one to redo last
+  std::vector<Passes> before_;  // before each change
+  std::vector<Passes> undone_;  // the last is redone first
   std::vector<PassReach> reach_;
   std::optional<PassPose> selected_;
 };
 
-/// The one that the seat and what is seen in rviz share.
+/// The session that the seat and rviz's displays share.
 PassSession& shared_pass_session();
 
 }  // namespace scan_cell_rviz

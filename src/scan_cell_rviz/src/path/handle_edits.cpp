@@ -9,7 +9,7 @@ using tool_paths::EditFrame;
 std::vector<tool_paths::PathEdit> edits_between(const Eigen::Isometry3d& before,
                                                 const Eigen::Isometry3d& after, bool can_turn,
                                                 const tool_paths::WaypointRange& waypoints) {
-  constexpr double kLeastMove = 1e-6;  // [m] below what a mouse can mean; chosen
+  constexpr double kLeastMove = 1e-6;  // [m] smaller than a deliberate mouse movement; chosen
   constexpr double kLeastTurn = 1e-5;  // [rad] chosen
   std::vector<tool_paths::PathEdit> edits;
   const Eigen::Vector3d by = after.translation() - before.translation();

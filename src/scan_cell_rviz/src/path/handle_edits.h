@@ -8,8 +8,8 @@
 
 namespace scan_cell_rviz {
 
-/// What takes a waypoint from one pose to another, in the tool's frame, done to some of them; none
-/// where they are the same pose.
+/// The edits that take a waypoint from one pose to another, in the tool's frame, applied to a
+/// range; empty if the poses are the same.
 /// @param before, after [m]
 /// @param can_turn false: a path without orientations, which is moved in its own frame
 std::vector<tool_paths::PathEdit> edits_between(const Eigen::Isometry3d& before,

@@ -27,8 +27,8 @@ void PathSession::close() {
   open({}, {}, "");
 }
 
-/// Does the edits in force anew.
-/// @return whether they can be done; if not, what is seen is as before
+/// Applies the active edits again.
+/// @return whether this is possible; if not, the view stays as it was
 bool PathSession::show() {
   try {
     edited_ = path_.segments.empty() ? tool_paths::EditedPath() : tool_paths::edited(path_, edits_);

@@ -64,7 +64,7 @@ QVariant PathTable::data(const QModelIndex& index, int role) const {
 
 QVariant PathTable::headerData(int section, Qt::Orientation orientation, int role) const {
   if (role != Qt::DisplayRole) return {};
-  if (orientation == Qt::Vertical) return section;  // from 0, as reports count
+  if (orientation == Qt::Vertical) return section;  // from 0, as in reports
   if (section >= kFirstValue)
     return QString::fromStdString(
         session_.edited().path.process_names[static_cast<std::size_t>(section - kFirstValue)]);

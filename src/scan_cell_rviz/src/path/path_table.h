@@ -8,7 +8,7 @@
 
 namespace scan_cell_rviz {
 
-/// The waypoints of the path under edit, as a table shows them: a row each, made when it is seen.
+/// Table model of the waypoints of the edited path; a row is made when it is shown.
 class PathTable : public QAbstractTableModel {
   Q_OBJECT
 

@@ -16,14 +16,14 @@ namespace {
 
 using scan_cell_msgs::WorkPreview;
 
-/// An angle, and the pose where it is.
+/// An angle, and its pose.
 using AngleAt = std::pair<double, std::size_t>;
 
 QString degrees_of(double angle) {
   return QString::number(angle * scan_cell_common::kDegrees, 'f', 0);
 }
 
-/// The robot's own, as narrow as its driver makes it.
+/// The robot's range, narrowed by its driver.
 std::optional<JointLimits> range_of(const JointTurn& turn, const RobotLimits& limits) {
   const auto found = limits.of_robot.find(turn.joint);
   if (found == limits.of_robot.end()) return std::nullopt;

@@ -9,18 +9,18 @@
 
 namespace scan_cell_rviz {
 
-/// Where all links of a robot are when its joints have some angles, those beside the chain to the
-/// flange, too.
+/// Poses of all links of a robot for given joint angles, also of links outside the chain to the
+/// flange.
 class LinkPoses {
  public:
   /// @param urdf text
-  /// @throw scan_cell_common::UnusableInput if it is none
+  /// @throw scan_cell_common::UnusableInput if the text is no URDF
   explicit LinkPoses(const std::string& urdf);
 
   /// @param base link that the poses are in [m]
   /// @param joints [rad] by name; those not named are at 0
-  /// @return by the link's name
-  /// @throw scan_cell_common::UnusableInput if the robot has no such base, or no such joint
+  /// @return poses by link name
+  /// @throw scan_cell_common::UnusableInput if the robot has no such base or joint
   std::map<std::string, Eigen::Isometry3d> at(const std::string& base,
                                               const std::map<std::string, double>& joints) const;
 

@@ -11,20 +11,20 @@
 
 #include "scan_cell_common/colours/colour_scale.h"
 
-/// What a preview of the work shows of one of its poses.
+/// What a preview of the work shows at one of its poses.
 namespace scan_cell_rviz {
 
-/// Whether it is of the path of that run.
+/// Whether the preview is of the path of that run.
 bool is_of_run(const scan_cell_msgs::WorkPreview& preview, const QString& run);
 
-/// [rad] by name; empty: the robot does not get there, or there is no such pose.
+/// [rad] by name; empty: the robot does not reach the pose, or there is none.
 std::map<std::string, double> joints_at(const scan_cell_msgs::WorkPreview& preview,
                                         std::size_t pose);
 
 /// Such as "waypoint 12: 50 mm/s, output 3 on", and under it "J1 12.3, J2 -45.6 degrees".
 QString text_at(const scan_cell_msgs::WorkPreview& preview, std::size_t pose);
 
-/// Whether the way to a pose is along the path itself: not to it, or away from it.
+/// Whether the way to a pose is along the path itself, not to the path or away from it.
 bool is_along_path(const scan_cell_msgs::WorkPreview& preview, std::size_t pose);
 
 /// [m/s] on the way along the path itself.
@@ -35,7 +35,7 @@ struct SpeedRange {
 
 SpeedRange speeds_of(const scan_cell_msgs::WorkPreview& preview);
 
-/// Of a speed: from dark blue for the least to yellow for the most.
+/// Colour of a speed: from dark blue (lowest) to yellow (highest).
 scan_cell_common::Rgb colour_of(double speed, const SpeedRange& range);
 
 }  // namespace scan_cell_rviz

@@ -14,7 +14,7 @@ struct Look {
   const char* style;
 };
 
-/// Dark on light in both themes: the band brings its own ground.
+/// Dark on light in both themes: the band has its own background.
 Look look_of(Level level) {
   switch (level) {
     case Level::kGood:

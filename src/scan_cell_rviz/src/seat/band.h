@@ -10,8 +10,8 @@
 
 namespace scan_cell_rviz {
 
-/// The states of the devices, always in view. Each sign tells by a mark and by words, so that
-/// nobody needs its colour.
+/// The states of the devices, always in view. Each sign has a mark and words, so that nobody has to
+/// rely on colour.
 class Band : public QWidget {
   Q_OBJECT
 

@@ -4,7 +4,7 @@
 
 namespace scan_cell_rviz {
 
-/// The pages of the seat, in their order.
+/// The pages of the seat, in order.
 enum class Page { kPart, kClean, kFit, kPath, kWork, kHistory, kTeach, kDesign, kPasses };
 
 }  // namespace scan_cell_rviz

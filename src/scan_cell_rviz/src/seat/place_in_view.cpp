@@ -7,7 +7,7 @@
 namespace scan_cell_rviz {
 namespace {
 
-constexpr double kAround = 1.9;  // of a path, or of the robot's poses: what is beside; chosen
+constexpr double kAround = 1.9;  // of a path or poses, to show what is around; chosen
 
 std::optional<PlaceInView> place_of(const Eigen::AlignedBox3d& box, double around,
                                     const std::string& frame) {

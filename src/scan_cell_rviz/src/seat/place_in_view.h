@@ -13,16 +13,16 @@
 
 namespace scan_cell_rviz {
 
-/// What a page is about, as the view is turned to it.
+/// The subject of a page, for turning the view to it.
 struct PlaceInView {
-  Eigen::Vector3d middle;  //!< [m] in the frame
-  double radius;           //!< [m] all of it is within
+  Eigen::Vector3d middle;  //!< [m] in `frame`
+  double radius;           //!< [m] of a sphere around all of it
   QString frame;
 };
 
-/// Where a session's thing lies; none: it has none.
-std::optional<PlaceInView> place_of(const PathSession& session);  ///< and the part around the path
-std::optional<PlaceInView> place_of(const EditSession& session);  ///< what is shown of the scan
+/// Where the subject of a session is; none: it has none.
+std::optional<PlaceInView> place_of(const PathSession& session);  ///< path with the part around it
+std::optional<PlaceInView> place_of(const EditSession& session);  ///< visible points of the scan
 std::optional<PlaceInView> place_of(const PickSession& session);  ///< the reference
 std::optional<PlaceInView> place_of(const PassSession& session);  ///< the poses
 

@@ -93,7 +93,7 @@ void Seat::show_page(Page page) {
   pages_->setCurrentIndex(static_cast<int>(page));
 }
 
-/// The view waits for it, too.
+/// Also notes that the view waits for the run.
 void Seat::open_run(const QString& run) {
   run_is_awaited_ = true;
   link_.describe(run);
@@ -170,7 +170,7 @@ void Seat::connect_pages() {
 }
 
 void Seat::connect_clean() {
-  // By the link's thread: millions of points are read.
+  // In the link's thread: millions of points are read.
   connect(
       &link_, &CellLink::rawCame, &edits_,
       [&edits = edits_](const sensor_msgs::PointCloud2ConstPtr& raw) {
@@ -265,7 +265,7 @@ void Seat::show_busy(Busy busy) {
 
 void Seat::show_progress(const QString& doing, double share) {
   doing_->setText(doing);
-  progress_->setMaximum(share < 0 ? 0 : kPerMille);  // 0: busy, how far is not known
+  progress_->setMaximum(share < 0 ? 0 : kPerMille);  // 0: busy, progress unknown
   progress_->setValue(static_cast<int>(share * kPerMille));
 }
 

@@ -28,7 +28,7 @@
 
 namespace scan_cell_rviz {
 
-/// What a person has in hand at a seat, shared with the displays and tools of rviz.
+/// What a person works on at a seat, shared with the displays and tools of rviz.
 struct SeatSessions {
   EditSession& edits;   ///< of the scan in view
   PathSession& path;    ///< of the run in view
@@ -36,24 +36,25 @@ struct SeatSessions {
   PassSession& passes;  ///< of a recipe's scan program
 };
 
-/// The seat without rviz: the band, what is under way, and a page a stage in the operator's order.
+/// The seat without rviz: the band, what is under way, and one page per stage in the operator's
+/// order.
 class Seat : public QWidget {
   Q_OBJECT
 
  public:
   Seat(SeatLinks& links, const SeatSessions& sessions, QWidget* parent = nullptr);
 
-  /// A scan or work of this seat is under way.
+  /// Whether a scan or work of this seat is under way.
   bool is_busy() const { return link_.busy() == Busy::kOurs; }
-  bool is_free() const { return link_.busy() == Busy::kFree; }  ///< nor is one of anybody else's
+  bool is_free() const { return link_.busy() == Busy::kFree; }  ///< nor does any other seat
   QString person() const { return fit_->person(); }
   void set_person(const QString& name) { fit_->set_person(name); }
   QString pose_file() const { return teach_->file(); }
   void set_pose_file(const QString& file) { teach_->set_file(file); }
-  /// Edits that would be lost with this seat, in words.
+  /// Descriptions of edits that would be lost with this seat.
   QStringList unsaved() const;
   Page page() const { return static_cast<Page>(pages_->currentIndex()); }
-  /// What the page is about: a run by its path, or by its scan where it has none. None while a run
+  /// The subject of the page: a run by its path, or by its scan if it has no path. None while a run
   /// is awaited.
   std::optional<PlaceInView> place() const;
 
@@ -62,12 +63,12 @@ class Seat : public QWidget {
   void poseFileChanged();
   void placeChosen(double x, double y, double z, QString frame);  ///< [m]
   void toolWanted(QString name);                                  ///< as CleanPage
-  void boxWanted();                                               ///< likewise
-  void poseChosen(int pose);                                      ///< of the preview, to be shown
+  void boxWanted();                                               ///< as in CleanPage
+  void poseChosen(int pose);                                      ///< of the preview, to show
   void pageShown(Page page);
-  void runShown(QString run);  ///< is in view now
-  void placeCame();            ///< place() is another one
-  void placeWanted();          ///< in the middle of the view
+  void runShown(QString run);  ///< now in view
+  void placeCame();            ///< place() has changed
+  void placeWanted();          ///< to be centred in the view
 
  private:
   void show_page(Page page);
@@ -81,7 +82,7 @@ class Seat : public QWidget {
   void show_busy(Busy busy);
   void show_progress(const QString& doing, double share);
   void show_end(const scan_cell_msgs::RunRecipeResult& result, Doing was);
-  void tell(const QString& message);  ///< what went wrong; empty: nothing
+  void tell(const QString& message);  ///< what failed; empty: clears it
 
   CellLink& link_;
   DesignLink& designs_;

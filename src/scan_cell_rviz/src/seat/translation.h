@@ -9,10 +9,10 @@
 namespace scan_cell_rviz {
 
 /// The texts of the seat in the language of a locale.
-/// @return null: there is no translation, they stay English
+/// @return null: no translation, the texts stay English
 std::unique_ptr<QTranslator> translation_to(const QLocale& locale);
 
-/// Gives this process that of its own locale (LANG, LC_ALL); once is enough.
+/// Installs the translation for this process' locale (LANG, LC_ALL); calling it once is enough.
 void install_translation();
 
 }  // namespace scan_cell_rviz

@@ -9,12 +9,12 @@ namespace scan_cell_rviz {
 enum class Level {
   kGood,
   kNotice,  //!< somebody should know
-  kBad,     //!< nothing goes until it is mended
-  kGone,    //!< its node says nothing
+  kBad,     //!< nothing works until it is repaired
+  kGone,    //!< its node does not answer
   kLaser,   //!< a laser is on
 };
 
-/// What the band says of a device.
+/// The sign of a device in the band.
 struct Sign {
   Level level = Level::kGone;
   std::string text;
@@ -22,7 +22,7 @@ struct Sign {
   bool operator==(const Sign& other) const { return level == other.level && text == other.text; }
 };
 
-/// What the band has a sign for, from left to right.
+/// The devices in the band, from left to right.
 enum class Device { kRobot, kCamera, kLaser, kCell, kCalibration };
 constexpr int kDevices = 5;
 

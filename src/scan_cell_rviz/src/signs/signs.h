@@ -13,10 +13,10 @@
 
 namespace scan_cell_rviz {
 
-/// The worst first: connection, emergency stop, alarms, drives, mode.
+/// The worst state first: connection, emergency stop, alarms, drives, mode.
 Sign sign_of(const scan_cell_msgs::RobotStatus& robot);
 
-/// Of the laser lines; one that is on comes first.
+/// Of the laser lines; a laser that is on comes first.
 Sign sign_of(const scan_cell_msgs::TriggerState& trigger);
 
 Sign sign_of(const scan_cell_msgs::CellState& cell);
@@ -24,12 +24,12 @@ Sign sign_of(const scan_cell_msgs::CellState& cell);
 /// Of the camera.
 Sign sign_of(const diagnostic_msgs::DiagnosticStatus& camera);
 
-/// In whole days.
+/// An age in whole days.
 /// @param age [s]
 QString age_text(double age);
 
 /// Of the scanner model: its name, the first digits of its hash, and its age.
-/// @param sha256 empty: the file cannot be read here
+/// @param sha256 empty: the file cannot be read on this computer
 /// @param age [s] since it was written
 Sign calibration_sign(const std::string& file, const std::string& sha256, double age);
 

@@ -12,7 +12,7 @@
 
 namespace scan_cell_rviz {
 
-/// Where the cloud's frame is in the view's.
+/// Pose of the cloud's frame in the view's frame.
 struct CloudFrame {
   Ogre::Vector3 position = Ogre::Vector3::ZERO;  //!< [m]
   Ogre::Quaternion orientation = Ogre::Quaternion::IDENTITY;
@@ -21,7 +21,7 @@ struct CloudFrame {
   Eigen::Vector3d turned_to_cloud(const Ogre::Vector3& way) const;  //!< of a direction
 };
 
-/// @return none where rviz does not know the frame
+/// @return none if rviz does not know the frame
 std::optional<CloudFrame> frame_in_view(rviz::DisplayContext& context, const std::string& frame);
 
 inline Ogre::Vector3 to_ogre(const Eigen::Vector3d& place) {

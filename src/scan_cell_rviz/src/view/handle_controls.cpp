@@ -8,7 +8,7 @@ namespace scan_cell_rviz {
 
 using visualization_msgs::InteractiveMarkerControl;
 
-/// A control's x axis is what it moves along or turns about.
+/// A control moves along its x axis, or turns about it.
 InteractiveMarkerControl control_of(const Eigen::Vector3d& axis, std::uint8_t mode,
                                     const std::string& name) {
   InteractiveMarkerControl control;

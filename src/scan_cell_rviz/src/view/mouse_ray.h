@@ -9,8 +9,8 @@
 
 namespace scan_cell_rviz {
 
-/// What lies under the mouse, a few pixels wide.
-/// @param frame in which the ray is wanted
+/// The ray under the mouse, a few pixels wide.
+/// @param frame of the result
 Ray ray_under(const rviz::ViewportMouseEvent& event, const CloudFrame& frame);
 
 }  // namespace scan_cell_rviz

@@ -46,7 +46,7 @@ void HoldButton::mousePressEvent(QMouseEvent* event) {
   pressing_ = false;
 }
 
-/// Qt presses a button again where the pointer comes back to it.
+/// Qt would press the button again when the pointer comes back.
 void HoldButton::mouseMoveEvent(QMouseEvent* event) {
   if (held_) QPushButton::mouseMoveEvent(event);
 }

@@ -6,9 +6,9 @@
 
 namespace scan_cell_rviz {
 
-/// Held to run, by the mouse or by the space bar. It is let go, too, where the pointer leaves it,
-/// it loses the focus, is hidden or disabled, or its window is no longer the active one. Whatever
-/// let it go, it must be pressed anew: to move the pointer back does not do it.
+/// A button that acts while it is held, by the mouse or by the space bar. It is also released when
+/// the pointer leaves it, it loses the focus, is hidden or disabled, or its window becomes
+/// inactive. It must then be pressed again: moving the pointer back is not enough.
 class HoldButton : public QPushButton {
   Q_OBJECT
 
@@ -17,7 +17,7 @@ class HoldButton : public QPushButton {
 
   bool is_held() const { return held_; }
 
-  /// As if the person had: it must be pressed anew.
+  /// Releases the button: it must be pressed again.
   void let_go();
 
  Q_SIGNALS:
@@ -33,7 +33,7 @@ class HoldButton : public QPushButton {
   void set_held(bool held);
 
   bool held_ = false;
-  bool pressing_ = false;  // a key or the mouse's button goes down now
+  bool pressing_ = false;  // within a press event of a key or the mouse
 };
 
 }  // namespace scan_cell_rviz

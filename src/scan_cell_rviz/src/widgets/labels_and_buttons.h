@@ -7,7 +7,7 @@
 
 namespace scan_cell_rviz {
 
-/// A label of as many lines as it needs. Whatever a name or a note holds stays text.
+/// A label with as many lines as it needs. Names and notes are shown as plain text.
 inline QLabel* text_label(const char* name, QWidget* parent) {
   auto* const label = new QLabel(parent);
   label->setObjectName(name);

@@ -10,8 +10,8 @@
 namespace scan_cell_rviz {
 namespace {
 
-constexpr int kSteps = 400;    // of the slider: 1 to 2 % each; chosen
-constexpr double kSpan = 100;  // times, to either side; chosen
+constexpr int kSteps = 400;    // of the slider: at most 2.3 % each; chosen
+constexpr double kSpan = 100;  // factor to either side; chosen
 
 }  // namespace
 
@@ -32,7 +32,7 @@ LogSlider::LogSlider(double value, double min, double max, int decimals, QWidget
   layout->addWidget(slider_, 1);
   layout->addWidget(box_);
   connect(slider_, &QSlider::valueChanged, this, [this](int step) {
-    const QSignalBlocker quiet(slider_);  // it stays where the hand has it
+    const QSignalBlocker quiet(slider_);  // it stays under the mouse
     box_->setValue(least_ * std::pow(most_ / least_, static_cast<double>(step) / kSteps));
   });
   connect(box_, qOverload<double>(&QDoubleSpinBox::valueChanged), this, [this](double now) {

@@ -8,14 +8,14 @@
 
 namespace scan_cell_rviz {
 
-/// A positive number by a slider, two decades around where it begins, and by a box for any that is
-/// allowed.
+/// Input of a positive number: a slider two decades to either side of the initial value, and a box
+/// for any allowed number.
 class LogSlider : public QWidget {
   Q_OBJECT
 
  public:
-  /// @param value where it begins, above 0
-  /// @param decimals that the box shows
+  /// @param value initial, above 0
+  /// @param decimals shown in the box
   LogSlider(double value, double min, double max, int decimals, QWidget* parent = nullptr);
 
   double value() const { return box_->value(); }

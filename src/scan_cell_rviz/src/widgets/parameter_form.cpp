@@ -11,7 +11,7 @@ namespace {
 
 using scan_cell_msgs::ToolParameter;
 
-/// Each number of a text multiplied; words that are none stay.
+/// Multiplies each number in a text; other words stay.
 QString scaled(const QString& text, double factor) {
   constexpr int kDigits = 12;  // so that 0.0001 m is 0.1 mm
   if (factor == 1) return text.simplified();

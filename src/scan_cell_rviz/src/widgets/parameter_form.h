@@ -14,18 +14,18 @@
 
 namespace scan_cell_rviz {
 
-/// A line for each parameter of a tool, in mm and degrees, with what the tool's table says of it.
+/// One line per parameter of a tool, in mm and degrees, with the description from the tool's table.
 class ParameterForm : public QWidget {
   Q_OBJECT
 
  public:
   explicit ParameterForm(QWidget* parent = nullptr);
 
-  /// What a person gave before stays where the parameter is still there.
+  /// What a person entered stays if the parameter is still there.
   void show_parameters(const std::vector<scan_cell_msgs::ToolParameter>& parameters);
 
-  /// Values that differ from the defaults, by name, as the tool takes them. What is no number goes
-  /// to the tool as it is: it says what is wrong with it.
+  /// Values that differ from the defaults, by name, in the tool's units. Text that is not a number
+  /// goes to the tool unchanged: the tool reports the error.
   std::map<std::string, std::string> given() const;
 
  private:

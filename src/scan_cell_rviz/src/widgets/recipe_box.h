@@ -9,18 +9,18 @@
 
 namespace scan_cell_rviz {
 
-/// Lists the recipes anew; the one that was chosen stays so if it is still there, else none is.
-/// @return whether another one, or none, is chosen now
+/// Updates the list of recipes. The chosen one stays chosen if it is still listed, else none is.
+/// @return whether the choice has changed
 inline bool list_recipes(const std::vector<scan_cell_msgs::RecipeState>& recipes, QComboBox& box) {
   const QString before = box.currentText();
   box.clear();
   for (const scan_cell_msgs::RecipeState& recipe : recipes)
     box.addItem(QString::fromStdString(recipe.name));
-  box.setCurrentIndex(box.findText(before));  // -1: none is chosen
+  box.setCurrentIndex(box.findText(before));  // -1: none
   return box.currentText() != before;
 }
 
-/// @return whether nothing was chosen before, and this is now
+/// @return whether nothing was chosen before, and the recipe is now
 inline bool choose_in_empty(QComboBox& box, const QString& recipe) {
   const int row = box.findText(recipe);
   if (!box.currentText().isEmpty() || row < 0) return false;

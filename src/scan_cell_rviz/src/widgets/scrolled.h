@@ -11,7 +11,7 @@
 
 namespace scan_cell_rviz {
 
-/// A widget of which as much is seen as there is room for.
+/// A scroll area around a widget.
 inline QScrollArea* scrolled(QWidget* inside, QWidget* parent) {
   auto* const area = new QScrollArea(parent);
   area->setFrameShape(QFrame::NoFrame);
@@ -21,7 +21,7 @@ inline QScrollArea* scrolled(QWidget* inside, QWidget* parent) {
   return area;
 }
 
-/// A page of which a low screen shows a part; what gets the focus is brought into view.
+/// A scroll area around a page, for low screens; the widget with the focus is brought into view.
 inline QScrollArea* scrolled_page(QWidget* page, QWidget* parent) {
   QScrollArea* const area = scrolled(page, parent);
   area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
@@ -34,7 +34,7 @@ inline QScrollArea* scrolled_page(QWidget* page, QWidget* parent) {
   return area;
 }
 
-/// Of so many lines at any time: buttons must not move under the pointer when a message comes.
+/// A fixed number of lines: buttons must not move under the pointer when a message comes.
 inline QScrollArea* in_lines(QLabel* label, int lines, QWidget* parent) {
   QScrollArea* const area = scrolled(label, parent);
   area->setFixedHeight(lines * label->fontMetrics().lineSpacing() + 2);

@@ -10,14 +10,14 @@
 
 namespace scan_cell_rviz {
 
-/// What a number is multiplied with so that a person reads mm and degrees.
+/// Factor that converts a number to mm or degrees for display.
 /// @param unit as the parameter tables have it
 inline double factor_of(const std::string& unit) {
   if (unit == "m") return scan_cell_common::kMillimetres;
   return unit == "rad" ? scan_cell_common::kDegrees : 1;
 }
 
-/// Behind such a number, with a space in front.
+/// Displayed unit, with a leading space.
 inline QString unit_shown(const std::string& unit) {
   if (unit == "m") return QCoreApplication::translate("UnitsShown", " mm");
   if (unit == "rad") return QCoreApplication::translate("UnitsShown", " deg");

@@ -10,15 +10,15 @@
 
 namespace scan_cell_rviz {
 
-/// Who scrolls over a page must not change a value that happens to pass under the pointer: the
-/// wheel turns only what a person has chosen.
+/// Scrolling a page must not change a value that passes under the pointer: the wheel changes only
+/// the widget that has the focus.
 class WheelGuard : public QObject {
  public:
-  /// Of what is on the page, and of what comes later.
+  /// Guards all widgets on the page, also later ones.
   explicit WheelGuard(QWidget* page) : QObject(page) { guard(*page); }
 
   bool eventFilter(QObject* object, QEvent* event) override {
-    if (event->type() == QEvent::ChildPolished) {  // a child that was added is no spin box yet
+    if (event->type() == QEvent::ChildPolished) {  // a newly added child is no spin box yet
       auto* const child = static_cast<QChildEvent*>(event)->child();
       if (child->isWidgetType()) guard(*static_cast<QWidget*>(child));
     }
@@ -38,7 +38,7 @@ class WheelGuard : public QObject {
 
   void guard(QWidget& widget) {
     if (is_turned(widget)) widget.setFocusPolicy(Qt::StrongFocus);
-    widget.installEventFilter(this);  // once, however often it is asked for
+    widget.installEventFilter(this);  // once, even if called again
     for (QObject* const child : widget.children())
       if (child->isWidgetType()) guard(*static_cast<QWidget*>(child));
   }

@@ -1,6 +1,6 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
-// A day at the seat with a fake node of recipes: run after run, each scanned, cleaned, approved and
+// A day at the seat with a fake recipes node: run after run is scanned, cleaned, approved and
 // worked.
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -23,9 +23,9 @@ using scan_cell_msgs::RunSummary;
 constexpr int kSide = 50;  // of each scan: 125,000 points
 constexpr double kMegabyte = 1e6;
 constexpr double kMostGrowth =
-    25;  // [MB] from the first third to the last; a scan and its edits are 4
+    25;  // [MB] from the first third to the last; a scan and its edits take 4
 
-/// [MB] that this process holds.
+/// [MB] used by this process.
 double resident() {
   std::ifstream statm("/proc/self/statm");
   double all = 0, held = 0;
@@ -45,7 +45,7 @@ class ADay : public ASeat {
     button(name)->click();
   }
 
-  /// Once the goal has come: the server may not be connected yet.
+  /// Repeats until the goal has come: the server may not be connected yet.
   void begin(const char* name) {
     const int before = recipes_->goals();
     ASSERT_TRUE(comes([&] {
@@ -56,7 +56,7 @@ class ADay : public ASeat {
         << ": " << text("trouble");
   }
 
-  /// Whenever a run is described its scan comes.
+  /// Waits for the scan of the described run.
   void wait_for_scan() {
     ASSERT_TRUE(comes([this] {
       const EditedViewPtr view = edits_.view();
@@ -90,7 +90,7 @@ class ADay : public ASeat {
     wait_for_scan();
   }
 
-  std::shared_ptr<const cloud_preprocess::Cloud> scan_;  // that came last
+  std::shared_ptr<const cloud_preprocess::Cloud> scan_;  // the latest one
 };
 
 TEST_F(ADay, DoesNotFillTheMemory) {
@@ -118,7 +118,7 @@ int main(int argc, char** argv) {
   qputenv("QT_QPA_PLATFORM", "offscreen");
   ros::init(argc, argv, "test_day");
   const QApplication application(argc, argv);
-  ros::AsyncSpinner spinner(2);  // the fake's
+  ros::AsyncSpinner spinner(2);  // for the fake node
   spinner.start();
   return RUN_ALL_TESTS();
 }

@@ -1,6 +1,6 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Nodes of the simulated cell are killed under a seat that is open, in every page of it.
+// Nodes of the simulated cell are killed under an open seat, on each of its pages.
 #include <gtest/gtest.h>
 
 #include <QApplication>
@@ -20,12 +20,11 @@ namespace {
 
 using scan_cell_common::process_of;
 
-constexpr int kPatience = 60000;  // [ms] a node is started again after some seconds
+constexpr int kPatience = 60000;  // [ms] roslaunch restarts a node after some seconds
 constexpr unsigned kSeed = 20261126;
-constexpr double kMostHeldUp =
-    1000;  // [ms] a person waits; on a machine that does all else besides
+constexpr double kMostHeldUp = 1000;  // [ms] bearable for a person, on a fully loaded machine
 
-/// A node, the label that tells of it, and what that says when it is gone.
+/// A node, the label that reports it, and the label's text when the node is gone.
 struct Victim {
   const char* node;
   const char* label;

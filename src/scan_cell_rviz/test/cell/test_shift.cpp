@@ -32,7 +32,7 @@ void rosrun(std::vector<std::string> command) {
   ASSERT_EQ(tool.wait(), 0) << command[1] << ' ' << command[2];
 }
 
-/// What a person who teaches the part type does once: a clean scan of the reference, its path, a
+/// Done once by a person who teaches the part type: a clean scan of the reference, its path, a
 /// recipe.
 void make_recipe(const std::string& folder) {
   const std::string cloud = folder + "/part.ply", path = folder + "/path.csv";
@@ -52,7 +52,7 @@ class AShift : public testing::Test {
     frame_.setSplashPath("");
     frame_.setShowChooseNewMaster(false);
     frame_.initialize(RVIZ_SETTINGS);
-    constexpr int kFrameRate = 5;  // [1/s] without a graphics card, beside a cell that runs
+    constexpr int kFrameRate = 5;  // [1/s] without a graphics card, beside a running cell
     displays()->subProp("Global Options")->subProp("Frame Rate")->setValue(kFrameRate);
     frame_.resize(1280, 800);  // [pixels]
     frame_.show();
@@ -61,7 +61,7 @@ class AShift : public testing::Test {
   Seat& seat() const { return *frame_.findChild<Seat*>(); }
   rviz::DisplayGroup* displays() { return frame_.getManager()->getRootDisplayGroup(); }
 
-  /// Whether the display is switched on; a failure where there is none.
+  /// Whether the display is switched on; fails if it does not exist.
   bool is_shown(const QString& name) {
     for (int i = 0; i < displays()->numDisplays(); ++i)
       if (displays()->getDisplayAt(i)->getName() == name)
@@ -82,7 +82,7 @@ class AShift : public testing::Test {
     return comes([&] { return text(label).find(words) != std::string::npos; });
   }
 
-  /// As soon as it can be clicked.
+  /// Clicks as soon as possible.
   void click(const char* name) const {
     auto* const button = seat().findChild<QPushButton*>(name);
     ASSERT_TRUE(comes([&] { return button->isEnabled(); })) << name << ": " << text("trouble");
@@ -92,10 +92,10 @@ class AShift : public testing::Test {
     QTest::mouseClick(button, Qt::LeftButton);
   }
 
-  /// [degrees]; what is read ends at the degree sign.
+  /// [degrees]; parsing stops at the degree sign.
   double second_joint() const { return std::stod(text("joint_2")); }
 
-  /// Moves the robot by a button and back, and keeps a pose between.
+  /// Moves the robot by a button and back, and records a pose in between.
   void teach_a_pose(const fs::path& file) {
     auto* const pages = seat().findChild<QTabWidget*>("pages");
     for (int i = 0; i < pages->count(); ++i)
@@ -121,7 +121,7 @@ class AShift : public testing::Test {
     EXPECT_NEAR(second_joint(), before, 2);
   }
 
-  /// Lifts three waypoints off the part by 1 mm, as a run of its own.
+  /// Lifts three waypoints off the part by 1 mm, as a new run.
   void edit_the_path() {
     auto* const table = seat().findChild<QTableView*>("path_waypoints");
     ASSERT_GT(table->model()->rowCount(), 10);
@@ -143,7 +143,7 @@ class AShift : public testing::Test {
     Q_EMIT box->activated(item);
   }
 
-  /// A raster on the reference, and what the robot can do of the scan, as for another recipe.
+  /// Makes a raster on the reference, and checks the passes, as for another recipe.
   void prepare() {
     constexpr int kRaster = 2, kReachable = 5;
     choose("design_recipe", 0);
@@ -163,11 +163,11 @@ class AShift : public testing::Test {
     take_picture("passes");
   }
 
-  /// For the docs: into the folder SEAT_PICTURES, if that is set.
+  /// Saves a picture for the docs in the folder SEAT_PICTURES, if that is set.
   void take_picture(const std::string& name) {
     const char* const folder = std::getenv("SEAT_PICTURES");
     if (folder == nullptr) return;
-    QTest::qWait(1500);  // laid out and drawn, a few times a second
+    QTest::qWait(1500);  // until it is laid out and drawn
     const QPixmap picture = QApplication::primaryScreen()->grabWindow(frame_.winId());
     EXPECT_TRUE(picture.save(QString::fromStdString(folder + ("/seat_" + name + ".png"))));
   }
@@ -209,7 +209,7 @@ TEST_F(AShift, FromThePartOnTheTableToWork) {
   ASSERT_TRUE(shows("decision", "Refused by Ada"));
   take_picture("refused");
 
-  // the rim of the floor, where nothing of the part is
+  // the rim of the floor, away from the part
   ASSERT_TRUE(comes([this] { return edits_.view() != nullptr; }));
   cloud_preprocess::HalfSpace rim;
   rim.normal = Eigen::Vector3d::UnitX();

@@ -25,7 +25,7 @@ TEST(Box, HasItsDraggedFaceWhereThePlaceIsAndTheOthersWhereTheyWere) {
     const Vector3d aside = box.pose.linear() * outward((face + 2) % kFaces);
     const Vector3d opposite = face_middle(box, face ^ 1);
     const Vector3d wanted = face_middle(box, face) + 0.03 * out;
-    drag_face(box, face, wanted + 0.5 * aside);  // a hand goes aside, too
+    drag_face(box, face, wanted + 0.5 * aside);  // a hand also moves aside
     EXPECT_TRUE(face_middle(box, face).isApprox(wanted, 1e-12)) << face;
     EXPECT_TRUE(face_middle(box, face ^ 1).isApprox(opposite, 1e-12)) << face;
     EXPECT_NEAR(box.size[face / 2], turned_box().size[face / 2] + 0.03, 1e-12);

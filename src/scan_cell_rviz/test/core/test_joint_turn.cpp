@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kTurn = 2 * M_PI;
 
-/// Of a way to a path, a round of it, and the way back; J2 goes on, J1 comes back.
+/// The way to a path, a round of it, and the way back; J2 goes on, J1 comes back.
 scan_cell_msgs::WorkPreview a_round() {
   scan_cell_msgs::WorkPreview preview;
   preview.joint_names = {"J1", "J2"};

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # Copyright 2026 the scan cell developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""rviz gets a person's own copy of the settings. Played by a program that writes down how it was called."""
+"""rviz gets a person's own copy of the settings. A fake rviz records how it was called."""
 import os
 import resource
 import subprocess

@@ -14,7 +14,7 @@ using cloud_preprocess::Cloud;
 using cloud_preprocess::EditedCloud;
 using Eigen::Vector3d;
 
-/// Two layers of points a millimetre apart, at z 0 and z 0.1 m.
+/// Two layers of points 1 mm apart, at z 0 and z 0.1 m.
 Cloud two_layers() {
   Cloud cloud;
   for (const float z : {0.0F, 0.1F})
@@ -24,7 +24,7 @@ Cloud two_layers() {
   return cloud;
 }
 
-/// From 1 m above, a perspective view; 1 mm wide at the upper layer.
+/// A ray from 1 m above, in a perspective view; 1 mm wide at the upper layer.
 Ray down_at(double x, double y) {
   Ray ray;
   ray.origin = {0, 0, 1};
@@ -88,7 +88,7 @@ TEST(Picking, TakesTheSideOfAPlaneOnWhichTheViewerIs) {
     const auto side = side_towards(places, {0, 0, 1});
     EXPECT_EQ(cloud.would_take({false, side}).size(), 101u * 101u);
     EXPECT_NEAR(side.normal.z(), 1, 1e-12);
-    std::swap(places[0], places[1]);  // whichever way round they were clicked
+    std::swap(places[0], places[1]);  // independent of the order of the clicks
   }
   places[2] = {0.02, 0, 0.05};
   EXPECT_THROW(side_towards(places, {0, 0, 1}), scan_cell_common::UnusableInput);

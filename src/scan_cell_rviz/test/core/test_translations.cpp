@@ -14,7 +14,7 @@
 namespace scan_cell_rviz {
 namespace {
 
-/// Of one text, in its file.
+/// A text in the translation file.
 struct Entry {
   QString source;
   QStringList forms;  // one, or one a plural
@@ -90,7 +90,7 @@ TEST(Translation, KeepsThePlacesOfFiguresAndTheKeys) {
 }
 
 TEST(Translation, GivesTheKeyThatStopsToNothingElse) {
-  const QRegularExpression key("&[tT]");  // a key of two buttons presses neither
+  const QRegularExpression key("&[tT]");  // a key shared by two buttons presses neither
   QStringList english, german;
   for (const Entry& entry : entries_of(TRANSLATION)) {
     if (entry.source.contains(key)) english.append(entry.source);

@@ -1,6 +1,6 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
-// A scan cleaned by hand and by stages, clicked as a person clicks.
+// A scan cleaned by hand and by stages, with a person's clicks.
 #include "fixtures/a_seat.h"
 #include "scan_cell_common/files/yaml_file.h"
 
@@ -14,7 +14,7 @@ TEST_F(ASeat, CleansTheScanInViewByHandAndSavesItIntoTheRecipe) {
   scan_to(RunSummary::ACCEPTED);
   ASSERT_TRUE(comes([this] { return text("clean_count") == "1000 of 1000 points stay."; }))
       << text("clean_count");
-  cloud_preprocess::HalfSpace half;  // of the fake's lattice 5 of 10 layers
+  cloud_preprocess::HalfSpace half;  // 5 of 10 layers of the fake's lattice
   half.point.z() = 0.0045;
   edits_.add({false, half});
   ASSERT_TRUE(comes([this] { return text("clean_count") == "500 of 1000 points stay."; }));
@@ -54,7 +54,7 @@ TEST_F(ASeat, HidesPointsOfTheScanWithoutAnEdit) {
   scan_to(RunSummary::ACCEPTED);
   ASSERT_TRUE(comes([this] { return edits_.view() != nullptr; }));
   EXPECT_FALSE(button("show_hidden")->isEnabled());
-  cloud_preprocess::HalfSpace half;  // of the fake's lattice 5 of 10 layers
+  cloud_preprocess::HalfSpace half;  // 5 of 10 layers of the fake's lattice
   half.point.z() = 0.0045;
   find<QComboBox>("edit_what")->setCurrentIndex(3);  // show only
   edits_.apply(half);

@@ -24,7 +24,7 @@ class ADesignPage : public ASeat {
     Q_EMIT combo->activated(row);
   }
 
-  /// From above, as the view's tool does.
+  /// Picks from above, as the view's tool does.
   bool pick(double x, double y) {
     Ray ray;
     ray.origin = {x, y, 1};

@@ -28,7 +28,7 @@ class APassesPage : public ASeat {
     return comes([&] { return cell(row, 5) == reach; });
   }
 
-  /// As the handles in the view do.
+  /// Moves a pose as the handles in the view do.
   void drag(const PassPose& at, const Eigen::Vector3d& to) {
     Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
     pose.translation() = to;

@@ -1,6 +1,6 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
-// The path of a run edited by hand, clicked as a person clicks.
+// The path of a run edited by hand, with a person's clicks.
 #include <QSignalSpy>
 
 #include "fixtures/a_seat.h"

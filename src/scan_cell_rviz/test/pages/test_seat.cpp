@@ -1,6 +1,6 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
-// The seat with a fake node of recipes: clicked as a person clicks, judged by what it then says.
+// The seat with a fake recipes node: a person's clicks, and what the seat then shows.
 #include <actionlib_msgs/GoalID.h>
 #include <gtest/gtest.h>
 #include <scan_cell_msgs/RobotStatus.h>

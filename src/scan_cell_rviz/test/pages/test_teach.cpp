@@ -1,6 +1,6 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
-// The page to teach at with a fake driver that writes down what it is told.
+// The teach page with a fake driver that records its messages.
 #include <gtest/gtest.h>
 #include <scan_cell_msgs/RecordPose.h>
 
@@ -23,9 +23,9 @@ namespace {
 using scan_cell_msgs::Jog;
 
 constexpr int kPatience = 20000;  // [ms]
-constexpr int kSilence = 400;     // [ms] eight messages of a button that is held
+constexpr int kSilence = 400;     // [ms] eight messages of a held button
 
-/// Hears what the driver would do.
+/// Receives what the driver would do.
 class FakeDriver {
  public:
   std::vector<Jog> heard() const {
@@ -86,7 +86,7 @@ class ATeachPage : public testing::Test {
     EXPECT_TRUE(comes([this] { return link_.has_driver(); }));
   }
 
-  /// Serves the window until it is so.
+  /// Serves the window until the condition holds.
   static bool comes(const std::function<bool()>& condition) {
     return QTest::qWaitFor(condition, kPatience);
   }
@@ -106,13 +106,13 @@ class ATeachPage : public testing::Test {
 
   std::size_t count() const { return driver_->heard().size(); }
 
-  /// Whether the robot is told to move, again and again.
+  /// Whether the robot is commanded to move, repeatedly.
   bool goes() const {
     const std::size_t before = count();
     return comes([&] { return count() >= before + 3 && driver_->heard().back().direction != 0; });
   }
 
-  /// Whether the robot is told to stop, and then nothing more.
+  /// Whether the robot is commanded to stop, and nothing follows.
   bool has_stopped() const {
     if (!comes([this] { return count() > 0 && driver_->heard().back().direction == 0; }))
       return false;
@@ -133,7 +133,7 @@ TEST_F(ATeachPage, MovesTheRobotWhileAButtonIsHeld) {
   press("jog_minus_3");
   ASSERT_TRUE(goes());
   const auto heard = driver_->heard();
-  for (std::size_t i = 1; i < heard.size(); ++i) {  // behind the one that says it was up
+  for (std::size_t i = 1; i < heard.size(); ++i) {  // after the message with the released button
     const Jog& jog = heard[i];
     EXPECT_EQ(jog.kind, Jog::BASE);
     EXPECT_EQ(jog.axis, 2);
@@ -149,7 +149,7 @@ TEST_F(ATeachPage, MovesTheRobotWhileTheSpaceBarIsHeld) {
   plus->setFocus();
   QTest::keyPress(plus, Qt::Key_Space);
   ASSERT_TRUE(goes());
-  for (const auto type : {QEvent::KeyRelease, QEvent::KeyPress}) {  // of the keyboard's repetition
+  for (const auto type : {QEvent::KeyRelease, QEvent::KeyPress}) {  // of the keyboard's auto-repeat
     QKeyEvent repeated(type, Qt::Key_Space, Qt::NoModifier, " ", true);
     QApplication::sendEvent(plus, &repeated);
   }
@@ -210,7 +210,7 @@ TEST_F(ATeachPage, MustBePressedAnewWhereTheWindowHung) {
   press("jog_plus_1");
   ASSERT_TRUE(goes());
   const std::size_t before = count();
-  QThread::msleep(kSilence);  // the window does nothing, whatever the person does
+  QThread::msleep(kSilence);  // the window hangs, whatever the person does
   EXPECT_LE(count(), before + 1) << "something else than the window moves the robot";
   EXPECT_TRUE(has_stopped());
   EXPECT_LE(count(), before + 2);

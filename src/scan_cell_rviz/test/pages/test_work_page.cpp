@@ -1,6 +1,6 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
-// The work on a part, previewed and begun as a person clicks.
+// The work on a part, previewed and started with a person's clicks.
 #include <QApplication>
 #include <QMessageBox>
 #include <QSignalSpy>

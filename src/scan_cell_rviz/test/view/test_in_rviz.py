@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # Copyright 2026 the scan cell developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""The panel in rviz itself, on a screen that nobody sees, opened as the cell's launch file does."""
+"""The panel in rviz itself, on a virtual screen, opened as the cell's launch file does."""
 import os
 import signal
 import subprocess
@@ -14,7 +14,7 @@ import rostest
 
 SETTINGS = os.path.join(os.path.dirname(os.path.realpath(__file__)), '../../../../launch/cell.rviz')
 PATIENCE = 90  # [s] software rendering
-ASKED = '/part_recipes/run/status'  # by the seat alone
+ASKED = '/part_recipes/run/status'  # only by the seat
 
 
 class InRviz(unittest.TestCase):

@@ -1,6 +1,6 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
-// A path edited in a view of rviz, seen from above: clicked, dragged by its handles, and told.
+// A path edited in an rviz view, seen from above: clicked and dragged by its handles.
 #include <gtest/gtest.h>
 #include <ros/ros.h>
 #include <rviz/tool_manager.h>
@@ -40,7 +40,7 @@ class PathInView : public testing::Test {
     view_->manager.getViewManager()->getCurrent()->subProp("Scale")->setValue(kScale);
     display_ = view_->manager.createDisplay("scan_cell_rviz/EditedPath", "path", true);
     ASSERT_TRUE(view_->start());
-    QTest::qWait(200);  // the view's camera follows its settings when it is drawn
+    QTest::qWait(200);  // the camera follows the view's settings when it is drawn
     tool_ = view_->manager.getToolManager()->addTool("scan_cell_rviz/Waypoint");
   }
   static void TearDownTestSuite() { delete view_; }

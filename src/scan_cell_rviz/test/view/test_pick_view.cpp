@@ -1,6 +1,6 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Places of a path picked in a view of rviz, seen from above.
+// Places of a path picked in an rviz view, seen from above.
 #include <gtest/gtest.h>
 #include <rviz/tool_manager.h>
 
@@ -10,7 +10,7 @@
 namespace scan_cell_rviz {
 namespace {
 
-/// A triangle that rises along x from 0 to 50 mm, over one that lies flat.
+/// A triangle that rises along x from 0 to 50 mm, over a flat one.
 visualization_msgs::MarkerPtr made_reference() {
   visualization_msgs::MarkerPtr reference(new visualization_msgs::Marker);
   reference->header.frame_id = "world";
@@ -28,7 +28,7 @@ TEST(PickInView, IsThePlaceOfTheReferenceThatIsSeenThere) {
   RvizView view;
   view.manager.getViewManager()->getCurrent()->subProp("Scale")->setValue(kScale);
   ASSERT_TRUE(view.start());
-  QTest::qWait(200);  // the view's camera follows its settings when it is drawn
+  QTest::qWait(200);  // the camera follows the view's settings when it is drawn
   rviz::Tool* const tool = view.manager.getToolManager()->addTool("scan_cell_rviz/Pick");
   PickSession& session = shared_pick_session();
   session.open(made_reference());

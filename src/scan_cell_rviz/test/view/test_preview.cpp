@@ -1,6 +1,6 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
-// The preview of the work in a view of rviz: the ghost stands where the joints put it.
+// The preview of the work in an rviz view: the joints determine the ghost's place.
 #include <gtest/gtest.h>
 #include <ros/ros.h>
 
@@ -14,7 +14,7 @@ using Eigen::AngleAxisd;
 using Eigen::Vector3d;
 
 /// Poses of a Smart5 SiX: leant forward; also J1 turned by 90 degrees, to the right; out of reach.
-/// @param speed [m/s] tells one preview from another
+/// @param speed [m/s] distinguishes previews
 scan_cell_msgs::WorkPreview two_poses(double speed) {
   scan_cell_msgs::WorkPreview preview;
   preview.header.frame_id = "base_link";
@@ -44,7 +44,7 @@ class Preview : public testing::Test {
   }
   static void TearDownTestSuite() { delete view_; }
 
-  /// @param mark that its status has, and no other's
+  /// @param mark text that only its status has
   void show(const scan_cell_msgs::WorkPreview& preview, const QString& mark) {
     display_->subProp("Pose")->setValue(0);
     shown_.publish(preview);

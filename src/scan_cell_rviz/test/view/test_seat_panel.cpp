@@ -1,6 +1,6 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
-// The seat as a panel of a view of rviz.
+// The seat as a panel of an rviz view.
 #include <gtest/gtest.h>
 #include <rviz/tool_manager.h>
 
@@ -41,7 +41,7 @@ class ASeatPanel : public testing::Test {
   }
   QTabWidget* pages() const { return find<QTabWidget>(panel_, "pages"); }
 
-  /// A scan is under way.
+  /// Starts a scan.
   void scan() {
     auto* const list = find<QListWidget>(panel_, "recipes");
     ASSERT_TRUE(comes([&] { return list->count() == 2; }));
@@ -63,7 +63,7 @@ RvizView* ASeatPanel::view_ = nullptr;
 rviz::Display* ASeatPanel::live_ = nullptr;
 rviz::Display* ASeatPanel::run_ = nullptr;
 
-/// Closes the window and answers the question that it asks.
+/// Closes the window and answers its question.
 void close_and_answer(QWidget& window, const QString& answer) {
   bool answered = false;
   QTimer::singleShot(0, [&] {

@@ -1,6 +1,6 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
-// What a view of rviz shows beside each page, and from where.
+// The displays and the view beside each page.
 #include <gtest/gtest.h>
 
 #include <QFile>
@@ -36,7 +36,8 @@ class ViewsByPage : public testing::Test {
   static rviz::ViewController& view() { return *view_->manager.getViewManager()->getCurrent(); }
   static rviz::Property* distance() { return view().subProp("Distance"); }
 
-  /// Of half the view's height or width, the larger; negative: behind the camera.
+  /// Distance from the middle, as a share of half the view's height or width, whichever is larger;
+  /// negative: behind the camera.
   static float off_middle(const Vector3d& place) {
     const Ogre::Camera* const camera = view_->panel.getViewport()->getCamera();
     const Ogre::Vector3 seen =
@@ -107,7 +108,7 @@ TEST_F(ViewsByPage, AreKeptWithTheSettingsOfRviz) {
   EXPECT_TRUE(live_->isEnabled());
 }
 
-/// In a window of that size.
+/// Checks in a window of that size.
 void ViewsByPage::expect_fit(const QSize& window) {
   view_->panel.resize(window);
   const Vector3d middle(0.4, -0.2, 0.3);

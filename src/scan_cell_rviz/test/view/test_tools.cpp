@@ -1,6 +1,6 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
-// The tools in a view of rviz, seen from above and moved by the mouse; judged by counts of a
+// The tools in an rviz view, seen from above and moved by the mouse, checked by point counts of a
 // lattice.
 #include <gtest/gtest.h>
 #include <ros/ros.h>
@@ -22,7 +22,7 @@ using Eigen::Vector3d;
 
 constexpr int kHalf = 20;        // lattice steps to each side
 constexpr double kStep = 5e-3;   // [m]
-constexpr double kUpper = 0.1;   // [m] of the upper of two layers
+constexpr double kUpper = 0.1;   // [m] height of the upper of two layers
 constexpr double kScale = 2000;  // [pixels/m]
 constexpr std::size_t kLayer = (2 * kHalf + 1) * (2 * kHalf + 1);
 
@@ -45,7 +45,7 @@ class Tools : public testing::Test {
     manager_->getViewManager()->getCurrent()->subProp("Scale")->setValue(kScale);
     display_ = manager_->createDisplay("scan_cell_rviz/EditedScan", "scan", true);
     ASSERT_TRUE(view_->start());
-    QTest::qWait(200);  // the view's camera follows its settings when it is drawn
+    QTest::qWait(200);  // the camera follows the view's settings when it is drawn
   }
   static void TearDownTestSuite() { delete view_; }
 
@@ -124,7 +124,7 @@ TEST_F(Tools, APolygonIsBegunAnewByEscape) {
   click(tool, {0.05, 0.05, kUpper});
   key(tool, Qt::Key_Escape);
   key(tool, Qt::Key_Return);
-  cloud_preprocess::HalfSpace lower;  // the next in the queue
+  cloud_preprocess::HalfSpace lower;  // next in the queue
   lower.point.z() = kUpper / 2;
   session().add({true, lower});
   ASSERT_TRUE(took(kLayer));
@@ -144,7 +144,7 @@ TEST_F(Tools, APlaneKeepsTheSideOfTheViewer) {
 
 TEST_F(Tools, ABrushTakesWhatItGoesOverOfTheSurfaceInFront) {
   EditSettings settings;
-  settings.radius = 0.007;  // four neighbours are 5 mm off, the next ones 7.07
+  settings.radius = 0.007;  // four neighbours are 5 mm away, the next ones 7.07 mm
   session().set_settings(settings);
   rviz::Tool* const tool = use("scan_cell_rviz/Brush");
   mouse(tool, QEvent::MouseButtonPress, {0, 0, kUpper});

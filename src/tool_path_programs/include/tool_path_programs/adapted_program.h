@@ -9,19 +9,20 @@
 
 namespace tool_path_programs {
 
-/// A program on another part.
+/// A program adapted to another part.
 struct AdaptedProgram {
-  std::vector<SourceFile> files;   //!< as they were given, the main one first
+  std::vector<SourceFile> files;   //!< in the order given, the main one first
   std::vector<std::string> notes;  //!< which arcs became lines, and why
 };
 
-/// The program with the poses of its adapted path. Nothing else changes, but that an arc which is
-/// no circle on the part becomes lines through the adapted places on it.
-/// @param known as the program was read with
-/// @param adapted as many waypoints as program_path.path
-/// @param arc_tolerance [m] that an arc may be off its adapted places and stay an arc
-/// @throw scan_cell_common::UnusableInput if the language cannot say a pose or an arc's lines where
-/// they stand, or what is read back differs
+/// Replaces the poses of a program by those of its adapted path. Nothing else changes, except that
+/// an arc that is no circle on the part becomes lines through its adapted places.
+/// @param known the settings that the program was read with
+/// @param adapted has as many waypoints as program_path.path
+/// @param arc_tolerance [m] greatest distance of an arc from its adapted places; beyond it the arc
+/// becomes lines
+/// @throw scan_cell_common::UnusableInput if the language cannot express a pose or an arc's lines
+/// at their place in the text, or the program read back differs
 AdaptedProgram adapted_program(const Language& language, const ProgramText& text,
                                const ReadSettings& known, const ProgramPath& program_path,
                                const tool_paths::ToolPath& adapted, double arc_tolerance);

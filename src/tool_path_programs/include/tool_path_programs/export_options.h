@@ -12,17 +12,17 @@
 
 namespace tool_path_programs {
 
-/// Options of tools that write programs.
+/// Options of the tools that write programs.
 struct ExportOptions {
-  std::string language;               //!< empty: by the program's ending
-  std::string cell;                   //!< cell file: tool and user frame; empty: by name alone
+  std::string language;               //!< empty: from the program file's ending
+  std::string cell;                   //!< cell file: tool and user frame; empty: by name only
   std::string tool;                   //!< number or name of the tool on the controller
   std::string user;                   //!< number or name of the user frame on the controller
   std::vector<std::string> comments;  //!< lines at the top
-  WriteSettings settings;             //!< of the language
-  ExportParameters parameters;        //!< of the way from path to program
+  WriteSettings settings;             //!< how the language is written
+  ExportParameters parameters;        //!< how the path becomes a program
 
-  /// Declares them, before the command line is parsed.
+  /// Declares the options; call it before the command line is parsed.
   void add(CLI::App& app);
 
  private:
@@ -35,34 +35,35 @@ class ProgramRobot {
  public:
   virtual ~ProgramRobot() = default;
 
-  /// Looks whether it can run the program, and sets Move::joints of every move.
-  /// @return what the person should know
-  /// @throw scan_cell_common::Refused naming the first waypoint that it cannot run
+  /// Checks whether the robot can run the program, and sets Move::joints of every move.
+  /// @return notes for the user
+  /// @throw scan_cell_common::Refused naming the first waypoint that the robot cannot run
   virtual std::vector<std::string> check(Program& program) const = 0;
 };
 
-/// A path in files, and the program that it becomes.
+/// A path file and the program to make from it.
 struct PathToExport {
-  std::string path;                         //!< adapted: CSV or YAML
+  std::string path;                         //!< adapted path: CSV or YAML
   tool_paths::PathConventions conventions;  //!< of the path
-  std::string report;                       //!< of stretch; empty: there is none
+  std::string report;                       //!< report of `stretch`; empty: none
   std::string program;                      //!< main file; its stem is the program's name
 
-  /// What the program will do.
-  /// @param robot checks it; none: nothing does
-  /// @param notes gets what the person should know
+  /// Makes the program from the path.
+  /// @param robot checks the program; null: no check
+  /// @param notes receives notes for the user
   /// @throw scan_cell_common::Refused if the report does not accept this path, or the robot cannot
   /// run it
-  /// @throw scan_cell_common::Error if the files are of no use
+  /// @throw scan_cell_common::Error if the files are unusable
   Program steps(const ExportOptions& options, const ProgramRobot* robot,
                 std::vector<std::string>& notes) const;
 
-  /// Reads the path, writes the program and reads it back. Where the path is of no use, or not
-  /// accepted, a program of an earlier one is removed; where a file cannot be written, it stays.
-  /// @return what the person should know: the files, and notes
+  /// Reads the path, writes the program and reads it back. If the path is unusable or not accepted,
+  /// an earlier program in that place is removed; if a file cannot be written, the old one stays.
+  /// @param robot checks the program before it is written; null: no check
+  /// @return notes for the user: the files written, and remarks
   /// @throw scan_cell_common::Refused if the report does not accept this path
-  /// @throw scan_cell_common::Error if the files are of no use or the language cannot say it
-  /// @param robot checks the program before it is written; none: nothing does
+  /// @throw scan_cell_common::Error if the files are unusable or the language cannot express the
+  /// path
   std::vector<std::string> run(const ExportOptions& options,
                                const ProgramRobot* robot = nullptr) const;
 

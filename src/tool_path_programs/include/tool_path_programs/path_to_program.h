@@ -14,7 +14,7 @@ class ParameterTable;
 
 namespace tool_path_programs {
 
-/// Where the z axis of a path's waypoints points.
+/// Direction of the z axis of a path's waypoints.
 enum class WaypointZ { kNotGiven, kIntoPart, kOutOfPart };
 
 /// How a tool path becomes a program.
@@ -23,26 +23,26 @@ struct ExportParameters {
   WaypointZ waypoint_z = WaypointZ::kNotGiven;  //!< the robot's tool z points into the part
   std::string speed_value = "speed";            //!< process value that holds the speed
   std::string speed_unit = "m/s";               //!< of that process value
-  double speed = 0.05;                          //!< [m/s] of paths without that process value
+  double speed = 0.05;                          //!< [m/s] if the path has no such process value
   double travel_speed = 0.25;                   //!< [m/s] between segments, approach and retract
-  double joint_speed = 0.1;                     //!< share, of the way to the first approach
-  double zone = 0.001;                          //!< [m] within a segment; its ends are stopped at
-  double approach = 0.05;                       //!< [m] in front of each segment, along the tool
-  double retract = 0.05;                        //!< [m] behind each segment, along the tool
+  double joint_speed = 0.1;                     //!< share, on the way to the first approach
+  double zone = 0.001;                          //!< [m] within a segment; it stops at the ends
+  double approach = 0.05;                       //!< [m] before each segment, along the tool
+  double retract = 0.05;                        //!< [m] after each segment, along the tool
   std::string tool_output;                      //!< digital output of the tool; empty: none
 };
 
-/// With range, unit and meaning of each.
+/// Adds each parameter with its range, unit and meaning.
 void describe(scan_cell_common::ParameterTable& table, ExportParameters& parameters);
 
-/// A tool path as a program: for each segment an approach, its waypoints, a retract; the first
-/// approach by the joints, all else along lines. The output is on from the first to the last
-/// waypoint of a segment that is in contact.
+/// Makes a program of a tool path: for each segment an approach, its waypoints and a retract. The
+/// first approach is a joint move, all other moves are lines. In each segment the output is on from
+/// the first to the last waypoint in contact.
 /// @param in_air waypoints that are not in contact, counted over all segments
-/// @throw scan_cell_common::UnusableInput if the path makes no sense, or a waypoint's speed is not
+/// @throw scan_cell_common::UnusableInput if the path is invalid, or a waypoint's speed is not
 /// above 0
 /// @throw scan_cell_common::InvalidParameter if a parameter is out of its range, or waypoint_z is
-/// not given for a path with orientations
+/// missing for a path with orientations
 Program program_of(const tool_paths::ToolPath& path, const ExportParameters& parameters,
                    const Frames& frames, const std::vector<std::size_t>& in_air = {});
 

@@ -9,14 +9,14 @@
 
 namespace tool_path_programs {
 
-/// Which waypoint of the path each pose of the tool is, counted over all segments; none: approach,
-/// retract.
+/// For each pose of the tool, its waypoint of the path, counted over all segments; none: approach
+/// or retract.
 using PathWaypoints = std::vector<std::optional<std::size_t>>;
 
-/// Where on the path a person looks for a pose of the tool: "waypoint 12", "35 % of the way to
+/// Describes a pose of the tool by its place on the path: "waypoint 12", "35 % of the way to
 /// waypoint 12", "the approach to waypoint 0", "the retract from waypoint 20".
-/// @param pose of them
-/// @param way 0 .. 1 of the way from the pose before; 1: at the pose
+/// @param pose index in `waypoints`
+/// @param way 0 to 1: share of the way from the pose before; 1: at the pose
 std::string place_on_path(const PathWaypoints& waypoints, std::size_t pose, double way);
 
 }  // namespace tool_path_programs

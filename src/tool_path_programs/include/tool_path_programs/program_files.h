@@ -9,19 +9,19 @@
 
 namespace tool_path_programs {
 
-/// The files of a program: the main one, those of the same name with another ending of the
-/// language where they are there (part.dat beside part.src), and others that it calls.
-/// @throw scan_cell_common::FileError if one cannot be read
+/// Loads the files of a program: the main file, files beside it with the same name and another
+/// ending of the language (part.dat beside part.src), and others that it calls.
+/// @throw scan_cell_common::FileError if a file cannot be read
 std::vector<SourceFile> load_program(const Language& language, const std::string& main,
                                      const std::vector<std::string>& others = {});
 
-/// Where save_program() writes them.
+/// Where save_program() writes the files.
 std::vector<std::string> names_of_saved(const std::string& output,
                                         const std::vector<SourceFile>& files);
 
-/// Writes a program's files: the first as `output`, the others beside it under their own names and
-/// before it, so that where it is they are. Each file is whole or as it was before.
-/// @throw scan_cell_common::FileError if one cannot be written
+/// Writes a program's files: the first as `output`, the others beside it under their own names.
+/// `output` is written last, so the others exist when it does. Each file is complete or as before.
+/// @throw scan_cell_common::FileError if a file cannot be written
 void save_program(const std::string& output, const std::vector<SourceFile>& files);
 
 }  // namespace tool_path_programs

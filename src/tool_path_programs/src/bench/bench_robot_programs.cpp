@@ -1,7 +1,6 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
-// How long it takes to write a long path in each language and to read it back, beside the same path
-// as CSV.
+// Times writing and reading back a long path in each language, beside the same path as CSV.
 #include <CLI/CLI.hpp>
 #include <chrono>
 #include <cmath>
@@ -21,7 +20,7 @@ double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-/// Along a wave, the tool turning as it goes.
+/// A path along a wave; the tool turns along it.
 tool_paths::ToolPath long_path(int waypoints) {
   tool_paths::ToolPath path;
   path.name = "long";
@@ -51,11 +50,11 @@ double seconds_as_csv(const tool_paths::ToolPath& path) {
   return seconds_since(start);
 }
 
-/// G-code knows frames by number alone, and joint moves at the machine's own speed.
+/// G-code knows frames only by number, and joint moves only at the machine's own speed.
 Program program_for(const Language& language, const tool_paths::ToolPath& path,
                     ExportParameters parameters) {
   Frames known = frames();
-  if (language.name() == "fanuc") known.tool.name = known.user.name = "1";  // by number alone
+  if (language.name() == "fanuc") known.tool.name = known.user.name = "1";  // known only by number
   if (language.name() != "gcode") return program_of(path, parameters, known);
   parameters.joint_speed = 1;
   return program_of(path, parameters, {{"1", {}}, {"G54", {}}});

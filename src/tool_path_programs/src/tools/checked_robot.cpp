@@ -31,7 +31,7 @@ const Eigen::Isometry3d& place_of(const Frame& frame, const std::string& what) {
                          "give --cell, too");
 }
 
-/// A move by the joints counts for a line of its end alone: it comes first.
+/// A first move by the joints counts as its end point only.
 ToolMotion motion_of(const Program& program) {
   const Frames& frames = program.frames.front();
   ToolMotion motion;
@@ -93,7 +93,7 @@ std::vector<std::string> CheckedRobot::check(Program& program) const {
   for (Step& step : program.steps) {
     Move* move = std::get_if<Move>(&step);
     if (!move) continue;
-    move->pose = to_user * found.tips[waypoint];  // a free turn was chosen
+    move->pose = to_user * found.tips[waypoint];  // the free turn was chosen
     const Joints& joints = found.joints[waypoint++];
     move->joints.emplace();
     std::copy(joints.begin(), joints.end(), move->joints->begin());

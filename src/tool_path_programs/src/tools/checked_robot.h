@@ -13,26 +13,26 @@
 
 namespace tool_path_programs {
 
-/// Options about the robot that will run the program.
+/// Options for the robot that will run the program.
 struct RobotOptions {
-  std::string urdf;                       //!< empty: nothing is checked
+  std::string urdf;                       //!< empty: no check
   std::string base = "base_link";         //!< link of the URDF
   std::string flange = "flange";          //!< link of the URDF
-  std::vector<double> start;              //!< [rad] joints near which the posture is; empty: all 0
+  std::vector<double> start;              //!< [rad] joints near the first posture; empty: all 0
   std::string shapes;                     //!< YAML of what may collide; empty: nothing
-  c4g_driver::RobotLimits limits;         //!< beside the URDF's
+  c4g_driver::RobotLimits limits;         //!< in addition to the URDF's
   c4g_driver::ToolCheckParameters check;  //!< of the path
 
-  /// Declares them, before the command line is parsed.
+  /// Declares the options; call it before the command line is parsed.
   void add(CLI::App& app);
 
   scan_cell_common::ParameterOptions typed;
 };
 
-/// A six-axis arm by its URDF.
+/// A six-axis arm described by a URDF.
 class CheckedRobot : public ProgramRobot {
  public:
-  /// @throw scan_cell_common::Error if a file is of no use
+  /// @throw scan_cell_common::Error if a file is unusable
   explicit CheckedRobot(RobotOptions options);
 
   std::vector<std::string> check(Program& program) const override;

@@ -35,7 +35,7 @@ void add_options(CLI::App& app, Options& options, scan_cell_common::Outputs& out
   options.robot.add(app);
 }
 
-/// Whole or not at all.
+/// Saves the whole bag or nothing.
 void save(const std::string& file, const nav_msgs::Path& path,
           const trajectory_msgs::JointTrajectory& trajectory) {
   scan_cell_common::save_whole(file, [&](const std::string& name) {

@@ -13,13 +13,13 @@
 
 namespace tool_path_programs {
 
-/// When each move of a program ends [s], from the first one on, which ends at 0: at the moves' own
-/// speeds, or at `rotational_speed` [rad/s] where the tool turns more than it moves. Without the
-/// time that braking and fly-by take.
+/// When each move of a program ends [s]; the first ends at 0. Moves run at their own speeds, or at
+/// `rotational_speed` [rad/s] if the turn of the tool takes longer. Braking and fly-by are not
+/// included.
 std::vector<double> times_of(const Program& program, double rotational_speed);
 
 /// The poses of all moves.
-/// @param frame that they are in
+/// @param frame of the poses
 nav_msgs::Path path_message(const Program& program, const std::string& frame,
                             const std::vector<double>& times);
 

@@ -94,7 +94,7 @@ TEST_F(ExportPathCommand, NoetherGetsThePathItself) {
             std::string::npos);
 }
 
-/// The arm of the suite in its simulated place; the path is in front of it, or out of reach.
+/// The suite's arm in its simulated place; the path is in front of it, or out of reach.
 TEST_F(ExportPathCommand, TheRobotChecksTheProgramBeforeItIsWritten) {
   const std::string robot = "--no-report --waypoint-z out_of_part --robot " ROBOT_URDF
                             " --cell " CELL_FILE " --start 0 0 -1.57 0 1.57 0";

@@ -37,7 +37,7 @@ ExportParameters parameters() {
   return result;
 }
 
-/// One letter a step: j, l for moves, + and - for the output.
+/// One letter per step: j, l for moves, + and - for the output.
 std::string kinds(const Program& program) {
   std::string text;
   for (const Step& step : program.steps) {

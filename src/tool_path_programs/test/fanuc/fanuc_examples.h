@@ -26,7 +26,7 @@ inline Move fanuc_move(double x, double y, double z, double speed = 0.05, double
 }
 
 /// A program of these statements, with positions P[1] at 100 200 300 mm, P[2] 10 mm beside it in
-/// the middle of its tool's turn, P[3] by angles of the axes, P[4] never taught.
+/// the middle of its tool's turn, P[3] by joint angles, P[4] never taught.
 inline std::string fanuc_program(const std::string& statements, const std::string& name = "PART") {
   return "/PROG  " + name + "\n/ATTR\nOWNER\t\t= MNEDITOR;\nCOMMENT\t\t= \"o'clock; /MN\";\n/MN\n" +
          statements +

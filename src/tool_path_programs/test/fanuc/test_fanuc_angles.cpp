@@ -20,8 +20,8 @@ double degrees_between(const Eigen::Isometry3d& one, const Eigen::Isometry3d& ot
          kRadian;
 }
 
-// The formula that makers of cameras for FANUC's robots publish (Basler, rc_visard: "FANUC
-// XYZ-WPR format"): the quaternion of W, P, R with R = Rz Ry Rx, here for 30, 40, 50 degrees.
+// Formula published by makers of cameras for FANUC's robots (Basler, rc_visard: "FANUC XYZ-WPR
+// format"): the quaternion of W, P, R with R = Rz Ry Rx, here for 30, 40, 50 degrees.
 TEST(FanucAngles, AreThoseOfThePublishedFormula) {
   const double w = 15 * kRadian, p = 20 * kRadian, r = 25 * kRadian;
   const Eigen::Quaterniond expected(

@@ -10,7 +10,7 @@
 namespace tool_path_programs {
 namespace {
 
-// As a controller saves them and people change them: tabs, CR LF, remarks, welding, other groups.
+// As saved by a controller and changed by people: tabs, CR LF, remarks, welding, other groups.
 std::string program_text() {
   std::string text = fanuc_program(
       "   1:  !taught on 3 May, don't touch ;\n   2:  UFRAME_NUM=2 ;\n   3:\tUTOOL_NUM=1 ;\n"

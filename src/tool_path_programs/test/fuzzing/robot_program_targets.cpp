@@ -12,7 +12,7 @@ using scan_cell_common::promise;
 
 namespace {
 
-/// On a part where no arc stays a circle.
+/// Adapts the program to a part where no arc stays a circle.
 void check_bent(const Language& language, const ProgramText& text, const ReadSettings& settings) {
   ProgramPathSettings path_settings;
   path_settings.arc_step = 0.05;
@@ -53,7 +53,7 @@ void check_robot_program(const Language& language, const std::string& bytes,
   try {
     check_bent(language, text, settings);
   } catch (const scan_cell_common::UnusableInput&) {
-    // not all that can be read can be said on any part
+    // not every program read can be expressed on every part
   }
 }
 

@@ -8,11 +8,11 @@
 #include "scan_cell_common/testing/fuzzing.h"
 #include "tool_path_programs/language.h"
 
-/// The readers of robots' programs, for the fuzzers: one target a language.
+/// The readers of robot programs as fuzz targets, one per language.
 std::vector<scan_cell_common::FuzzTarget> robot_program_targets();
 
-/// A program that was read has finite poses; with the same poses it keeps every byte, and with
-/// others it reads back with those.
+/// Checks that a program that was read has finite poses, that it keeps every byte with the same
+/// poses, and that it reads back with other poses.
 /// @param bytes of the main file
 void check_robot_program(const tool_path_programs::Language& language, const std::string& bytes,
                          const tool_path_programs::ReadSettings& settings = {});

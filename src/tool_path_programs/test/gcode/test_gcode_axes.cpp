@@ -30,7 +30,7 @@ GcodeAxes back(const std::string& dialect, double a, double b, double c, const G
 
 const GcodeAxes kNothing = GcodeAxes::Constant(NAN);
 
-// Roll, pitch, yaw about fixed axes X, Y, Z, as LinuxCNC's genserkins takes A, B, C: closed forms.
+// Roll, pitch, yaw about fixed axes X, Y, Z, as in LinuxCNC's genserkins for A, B, C: closed forms.
 TEST(GcodeAxes, OfRobotsAreRollPitchYaw) {
   const double s = std::sin(30 * M_PI / 180);
   const double c = std::cos(30 * M_PI / 180);
@@ -40,7 +40,7 @@ TEST(GcodeAxes, OfRobotsAreRollPitchYaw) {
   EXPECT_LT((into_part("xyzabc", 180, 0, 0) - Eigen::Vector3d(0, 0, -1)).norm(), 1e-12);
 }
 
-// The spindle is turned about X or Y, then about Z; the tool looks the other way.
+// The spindle turns about X or Y, then about Z; the tool points the other way.
 TEST(GcodeAxes, OfMachinesTiltTheSpindle) {
   const double s = std::sin(30 * M_PI / 180);
   const double c = std::cos(30 * M_PI / 180);

@@ -35,7 +35,7 @@ TEST(GcodeReader, ReadsModalWordsCommentsOutputsAndFrames) {
   EXPECT_EQ(text.dialect, "xyz");
   EXPECT_EQ(text.program.name, "part");
   ASSERT_EQ(text.program.steps.size(), 10u);
-  EXPECT_TRUE(std::holds_alternative<JointMove>(text.program.steps[0]));  // Z is not known
+  EXPECT_TRUE(std::holds_alternative<JointMove>(text.program.steps[0]));  // Z is unknown
   EXPECT_EQ(move_of(text, 1).kind, MotionKind::kJoint);
   EXPECT_EQ(std::get<SetOutput>(text.program.steps[2]).output, "spindle");
   EXPECT_EQ(move_of(text, 3).kind, MotionKind::kLinear);

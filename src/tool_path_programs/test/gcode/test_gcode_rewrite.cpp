@@ -9,7 +9,7 @@
 namespace tool_path_programs {
 namespace {
 
-/// Of a program whose poses are all moved.
+/// The program with all poses moved.
 std::string moved(const std::string& program, const Eigen::Isometry3d& motion) {
   const ProgramText text = gcode().read({{"part.nc", program}}, {});
   std::vector<Eigen::Isometry3d> poses;
@@ -35,7 +35,7 @@ TEST(GcodeRewrite, TheSamePosesChangeNoByte) {
 }
 
 TEST(GcodeRewrite, AWordIsPutInWhereAnAxisWasLeftElsewhere) {
-  // the line with Z alone gets X and Y; from then on Z is where it was left
+  // the line with only Z gets X and Y; from then on Z is where it was left
   EXPECT_EQ(moved(kOdd, by(0.001, 0, -0.002)),
             "%\r\nN10\tg21 G90 (X1 Y2)\r\ng0x 0 Y0\r\nZ 3.0000 X1.0000\t; Z7\r\n\r\n"
             "N40 G1 X11.2500 F100 M3\r\nY-.5 S200\r\nM64 P1\r\nG4 P1\r\nX21.0000\r\nM5 (off)\r\n");

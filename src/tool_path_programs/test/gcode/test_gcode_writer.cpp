@@ -11,7 +11,7 @@ namespace {
 
 using scan_cell_common::UnusableInput;
 
-/// Moves 10 mm apart, the first by the joints, the tool down and tilted more and more.
+/// Moves 10 mm apart, the first by the joints, the tool pointing down and increasingly tilted.
 Program example(std::size_t moves, double tilt) {
   Program program;
   program.name = "ADAPTED";

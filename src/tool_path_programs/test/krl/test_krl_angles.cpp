@@ -30,8 +30,8 @@ TEST(KrlAngles, AreAboutZThenYThenXEachTurnedByTheOnesBefore) {
   EXPECT_TRUE(turn(0, 90, 90).isApprox(matrix(-kZ, kX, -kY), 1e-15));
 }
 
-/// A spindle across the flange, as public programs for milling have it: TOOL {.., A 0, B 90, C 0},
-/// and a cutter that points down: {.., A -180, B 0, C -180}.
+/// A spindle across the flange, as in public milling programs: TOOL {.., A 0, B 90, C 0}, and a
+/// cutter that points down: {.., A -180, B 0, C -180}.
 TEST(KrlAngles, PublicExamplesOfMillingProgramsPointWhereTheSpindleDoes) {
   EXPECT_TRUE(Eigen::Vector3d(turn(0, 90, 0) * kZ).isApprox(kX, 1e-15));
   EXPECT_TRUE(Eigen::Vector3d(turn(-180, 0, -180) * kZ).isApprox(-kZ, 1e-15));

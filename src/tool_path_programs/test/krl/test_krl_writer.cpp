@@ -44,7 +44,7 @@ std::vector<std::string> statements(const WrittenProgram& written) {
   return lines;
 }
 
-/// Its statements behind the first motion.
+/// The statements after the first motion.
 std::vector<std::string> moves(const Program& program) {
   std::vector<std::string> lines = statements(write_checked(krl(), program, {}));
   lines.erase(lines.begin(), std::find(lines.begin(), lines.end(), "PTP $AXIS_ACT") + 1);

@@ -32,7 +32,7 @@ TEST(Pdl2Angles, AreAboutZThenYThenZEachTurnedByTheOnesBefore) {
   EXPECT_TRUE(turn(0, 90, 90).isApprox(matrix(kY, kZ, kX), 1e-15));
 }
 
-/// A tool that points down, as public programs for printing and milling have it: 0, 180, 0.
+/// A tool that points down, as in public programs for printing and milling: 0, 180, 0.
 TEST(Pdl2Angles, PublicExamplesOfToolsThatPointDown) {
   EXPECT_TRUE(turn(0, 180, 0).isApprox(matrix(-kX, kY, -kZ), 1e-15));
   EXPECT_TRUE(turn(0, 180, 90).isApprox(turn(-90, 180, 0), 1e-15));

@@ -32,7 +32,7 @@ Program program_of(std::vector<Step> steps) {
   return program;
 }
 
-/// The first file behind its settings.
+/// The first file after its settings.
 std::string moves(const Program& program) {
   const std::string text = write_checked(pdl2(), program, {}).files[0].text;
   const std::string last = "$SPD_OPT := SPD_LIN\r\n";

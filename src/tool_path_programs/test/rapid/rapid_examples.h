@@ -10,7 +10,7 @@
 
 namespace tool_path_programs {
 
-/// A tool and a work object that have names and poses, and no move yet.
+/// A tool and a work object with names and poses, and no move yet.
 inline Program empty_rapid_program() {
   Program program;
   program.name = "PART";
@@ -35,7 +35,7 @@ inline ProgramText read_rapid_text(const std::string& text, const ReadSettings& 
   return rapid().read({{"part.mod", text}}, settings);
 }
 
-/// Statements as the main routine of a module that declares a tool and some positions.
+/// Statements in the main routine of a module that declares a tool and some positions.
 inline std::string rapid_module(const std::string& statements) {
   return "MODULE m\n"
          "CONST robtarget p10:=[[100,200,300],[1,0,0,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]];\n"

@@ -9,7 +9,7 @@
 namespace tool_path_programs {
 namespace {
 
-// As people write them: tabs, CR LF, odd blanks, comments among the numbers, four decimals.
+// As written by people: tabs, CR LF, odd blanks, comments among the numbers, four decimals.
 const char* const kProgram =
     "%%%\r\n  VERSION:1\r\n  LANGUAGE:ENGLISH\r\n%%%\r\n\r\nMODULE Rim\r\n"
     "\t! taught on 3 May; MoveL p10 ;\r\n"
@@ -48,7 +48,7 @@ std::vector<Eigen::Isometry3d> poses_in(const ProgramText& text) {
   return poses;
 }
 
-/// A text without what stands where numbers of poses do.
+/// A text without the numbers of poses.
 std::string without_digits(const std::string& text) {
   std::string rest;
   for (const char character : text)

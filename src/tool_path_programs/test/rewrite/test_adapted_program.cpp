@@ -1,6 +1,6 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Programs of all languages with an arc that is no circle on the part.
+// Programs in all languages with an arc that is no circle on the part.
 #include <gtest/gtest.h>
 
 #include <functional>
@@ -18,13 +18,13 @@ constexpr double kRadius = 0.1;
 constexpr double kTolerance = 1e-4;
 constexpr double kTurn = 40;  // [degrees] of the tool about z, along the arc
 
-/// A line to the arc's start at x 100 mm, an arc about z to y 100 mm, and a line from there. The
-/// via's own turn is not one between those of start and end where the language does not look at it.
+/// A line to the arc's start at x 100 mm, an arc about z to y 100 mm, and a line from there. In
+/// languages that ignore the via's orientation, it is not between those of start and end.
 struct Example {
   std::string language;
   std::string file;
   std::string text;
-  double turn_of_via;  // [degrees]; NaN: not looked at
+  double turn_of_via;  // [degrees]; NaN: ignored
 };
 
 const std::string kFanucPosition = "]{\n   GP1:\n\tUF : 2, UT : 1,\t\tCONFIG : 'N U T, 0, 0, 0',\n";
@@ -90,7 +90,7 @@ Eigen::Vector3d of_arc(double degrees) {
   return kRadius * Eigen::Vector3d(std::cos(angle), std::sin(angle), 0);
 }
 
-/// Out of the arc's plane, 0 at both ends and in the middle.
+/// Bends out of the arc's plane: 0 at both ends and in the middle.
 Eigen::Vector3d bent(const Eigen::Vector3d& place) {
   return {place.x(), place.y(), 1e-3 * std::sin(4 * std::atan2(place.y(), place.x()))};
 }
@@ -116,7 +116,7 @@ class AnArc : public testing::TestWithParam<Example> {
   }
 };
 
-/// Between the move that begins and the one that ends an arc.
+/// The moves between the one that begins an arc and the one that ends it.
 std::vector<Move> moves_along_arc(const Program& program) {
   std::vector<Move> moves;
   for (const Move* const move : moves_of(program))
@@ -238,7 +238,7 @@ TEST_P(AnArc, OnTheSamePartChangesNoByte) {
   EXPECT_EQ(result.files[0].text, GetParam().text);
 }
 
-/// A program in which only what has x and y above 0 is bent.
+/// A program bent only where x and y are above 0.
 AdaptedProgram bent_in_first_quarter(const Language& language, const std::string& name,
                                      const std::string& text) {
   const ProgramText read = language.read({{name, text}}, {});
@@ -269,7 +269,7 @@ TEST(AdaptedProgram, LeavesTheExternalAxesOfAnEndWhoseOtherNumbersItCompletes) {
   EXPECT_NE(now.find("{Y 100,X 0,A 40,E1 5,Z 0.0000,B"), std::string::npos) << now;
 }
 
-/// An arc of an example with something else in its place.
+/// An example's arc with a piece of its text replaced.
 std::string with(const std::string& language, const std::string& old, const std::string& other) {
   for (const Example& example : kExamples) {
     if (example.language != language) continue;
@@ -281,7 +281,7 @@ std::string with(const std::string& language, const std::string& old, const std:
   return "";
 }
 
-/// Arcs that mean more than their places say: as lines they would do something else.
+/// Arcs that do more than move through their places: as lines they would do something else.
 TEST(AdaptedProgram, RefusesArcsThatCannotBeSaidAsLines) {
   const std::string position = fanuc_position(3, ".000", "100.000", "40.000");
   const struct {

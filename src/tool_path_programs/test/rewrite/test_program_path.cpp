@@ -16,7 +16,7 @@ Eigen::Isometry3d at(double x, double y, double z = 0) {
   return Eigen::Isometry3d(Eigen::Translation3d(x, y, z));
 }
 
-/// A program whose poses stand in its text one after the other.
+/// A program with its poses in its text, one after the other.
 class Text {
  public:
   Text() { text_.files = {{"part.src", ""}}; }
@@ -165,7 +165,7 @@ TEST(ProgramPath, AFrameWhosePlaceIsNotKnownIsRefusedOnlyWhereItMatters) {
   }
 }
 
-/// A quarter of a circle of 0.1 m, whose places are mapped by a function.
+/// Errors of a quarter circle of 0.1 m radius after its places were mapped by a function.
 std::vector<double> errors_after(const std::function<Eigen::Vector3d(Eigen::Vector3d)>& map) {
   Text text;
   text.move(kLinear, at(0.1, 0)).arc(at(0.1 * M_SQRT1_2, 0.1 * M_SQRT1_2), at(0, 0.1));

@@ -12,12 +12,12 @@ double angle_between(const Eigen::Matrix3d& one, const Eigen::Matrix3d& other) {
   return Eigen::Quaterniond(one).angularDistance(Eigen::Quaterniond(other));
 }
 
-/// R = Rz(yaw) Ry(pitch) Rx(roll), as the script manual defines RPY.
+/// R = Rz(yaw) Ry(pitch) Rx(roll), from the script manual's definition of RPY.
 Eigen::Matrix3d rpy(double roll, double pitch, double yaw) {
   return scan_cell_common::EulerSequence("zyx").rotation({yaw, pitch, roll});
 }
 
-// Script manual of the e-Series (5.x), functions rpy2rotvec and rotvec2rpy, their examples.
+// Examples of the functions rpy2rotvec and rotvec2rpy in the script manual of the e-Series (5.x).
 TEST(RotationVector, IsThatOfTheManualsExamples) {
   const Eigen::Vector3d vector = rotation_vector(rpy(3.14, 1.57, 0));
   EXPECT_LT((vector - Eigen::Vector3d(2.22153, 0.00177, -2.21976)).norm(), 2e-5);
@@ -44,7 +44,7 @@ TEST(RotationVector, AtHalfATurnItIsOneOfTheTwo) {
 }
 
 TEST(RotationVector, StaysOnTheSideOfTheOldOne) {
-  const Eigen::Vector3d beyond(3.9322, 1.6518, 1.6554);  // 4.57 rad, as a public program has it
+  const Eigen::Vector3d beyond(3.9322, 1.6518, 1.6554);  // 4.57 rad, from a public program
   EXPECT_LT((rotation_vector_near(rotation_of(beyond), beyond) - beyond).norm(), 1e-9);
   const Eigen::Vector3d half(0, -M_PI, 0);
   EXPECT_LT((rotation_vector_near(rotation_of({0, M_PI - 1e-3, 0}), half) -

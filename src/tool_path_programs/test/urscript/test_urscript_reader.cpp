@@ -33,8 +33,8 @@ const Move& move_of(const ProgramText& text, std::size_t step) {
   return std::get<Move>(text.program.steps.at(step));
 }
 
-// As the pendant's program tree is saved: waypoints as variables, labels, a loop without end, a
-// thread that counts.
+// As the pendant saves its program tree: waypoints as variables, labels, an endless loop, a thread
+// that counts.
 const char* const kSavedByThePendant =
     "def Rim():\n"
     "  global _hidden_verificationVariable=0\n"
@@ -90,7 +90,8 @@ TEST(UrscriptReader, ReadsWhatThePendantSaves) {
   EXPECT_EQ(std::get<SetOutput>(text.program.steps[2]).output, "2");
 }
 
-// As post processors write: speeds as variables, positional arguments, subprograms, a call behind.
+// As written by post processors: speeds as variables, positional arguments, subprograms, a call at
+// the end.
 TEST(UrscriptReader, ReadsWhatPostProcessorsWrite) {
   const ProgramText text = read(
       "def Prog():\n"

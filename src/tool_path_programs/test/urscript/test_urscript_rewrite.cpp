@@ -8,8 +8,8 @@
 namespace tool_path_programs {
 namespace {
 
-// By somebody else: odd blanks, tabs, CR LF, comments, signs, an arc over two lines, a vector
-// beyond half a turn.
+// As written by somebody else: odd blanks, tabs, CR LF, comments, signs, an arc over two lines, a
+// vector longer than half a turn.
 const std::string kOdd =
     "def  seam( ) :\r\n"
     "\t# from  the pendant, 3 mm above\r\n"

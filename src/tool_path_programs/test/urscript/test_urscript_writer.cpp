@@ -47,7 +47,7 @@ std::string written(const Program& program, const WriteSettings& settings = {}) 
   return write_checked(urscript(), program, settings).files.at(0).text;
 }
 
-/// What is refused: thing and value.
+/// The refused thing and value.
 std::string fault_after(const std::function<void(Program&)>& change) {
   Program program = example();
   change(program);

@@ -20,7 +20,7 @@ namespace {
 using scan_cell_msgs::DesignPathRequest;
 using scan_cell_msgs::DesignPathResponse;
 
-constexpr std::size_t kFewest = 2;  // picks of a path
+constexpr std::size_t kFewest = 2;  // picks for a path
 
 /// [m] along all segments
 double length_of(const scan_cell_msgs::ToolPath& path) {
@@ -128,7 +128,7 @@ void DesignPage::suggest(const QString& recipe) {
   if (choose_in_empty(*recipe_, recipe)) choose_recipe();
 }
 
-/// Picks on another reference are of no use.
+/// Picks on another reference are useless.
 void DesignPage::choose_recipe() {
   if (recipe_->currentText() != chosen_) {
     chosen_ = recipe_->currentText();
@@ -137,14 +137,14 @@ void DesignPage::choose_recipe() {
   if (!chosen_.isEmpty()) choose();
 }
 
-/// Another reference, or another way on it.
+/// Chooses another reference, or another kind of path.
 void DesignPage::choose() {
   end_->clear();
   ask(false);
   update_buttons();
 }
 
-/// The path follows each pick.
+/// Updates the path after each pick.
 void DesignPage::follow_picks() {
   update_buttons();
   if (way() == DesignPathRequest::PICKS && !recipe_->currentText().isEmpty())

@@ -19,26 +19,26 @@
 
 namespace scan_cell_rviz {
 
-/// A path made on the reference of a recipe: through places that are picked in the view, along its
-/// edge, or as a raster. Saved, it is a recipe of its own.
+/// Makes a path on the reference of a recipe: through places picked in the view, along its edge, or
+/// as a raster. It is saved as a new recipe.
 class DesignPage : public QWidget {
   Q_OBJECT
 
  public:
   explicit DesignPage(PickSession& session, QWidget* parent = nullptr);
 
-  std::string recipe() const { return recipe_->currentText().toStdString(); }  ///< that is chosen
-  /// Chooses it where nobody has chosen one.
+  std::string recipe() const { return recipe_->currentText().toStdString(); }  ///< the chosen one
+  /// Chooses the recipe if none is chosen.
   void suggest(const QString& recipe);
   void show_recipes(const std::vector<scan_cell_msgs::RecipeState>& recipes);
   void show_answer(const scan_cell_msgs::DesignPathRequest& request,
                    const scan_cell_msgs::DesignPathResponse& answer);
-  void show_end(const QString& message);  ///< why there was no answer
+  void show_end(const QString& message);  ///< why there is no answer
 
  Q_SIGNALS:
   void designWanted(scan_cell_msgs::DesignPathRequest request);
-  void recipeMade();              ///< of a path
-  void toolWanted(QString name);  ///< of rviz
+  void recipeMade();              ///< from a path
+  void toolWanted(QString name);  ///< name of an rviz tool
 
  private:
   void lay_out();
@@ -64,7 +64,7 @@ class DesignPage : public QWidget {
   QPushButton* save_;
   QLabel* end_;
   QString chosen_;       // recipe
-  bool saving_ = false;  // an answer is awaited
+  bool saving_ = false;  // waiting for the answer
 };
 
 }  // namespace scan_cell_rviz

@@ -17,21 +17,21 @@
 
 namespace scan_cell_rviz {
 
-/// The scan program of a recipe: its passes, their poses and whether the robot can scan them. The
-/// poses of the pass that is chosen are dragged in the view.
+/// The scan program of a recipe: its passes, their poses, and whether the robot can scan them. The
+/// poses of the chosen pass are dragged in the view.
 class PassesPage : public QWidget {
   Q_OBJECT
 
  public:
   explicit PassesPage(PassSession& session, QWidget* parent = nullptr);
 
-  /// Chooses it where nobody has chosen one.
+  /// Chooses the recipe if none is chosen.
   void suggest(const QString& recipe);
   void show_recipes(const std::vector<scan_cell_msgs::RecipeState>& recipes);
   void show_program(const QString& recipe, const scan_cell_msgs::EditProgramResponse& program);
   void show_checked(const std::vector<scan_cell_msgs::CheckProgramResponse>& answers);
   void show_end(const QString& message);
-  /// While the robot moves the cell cannot say what it can do: it is asked afterwards.
+  /// The cell cannot check passes while the robot moves: it is asked afterwards.
   void set_free(bool free);
 
  Q_SIGNALS:
@@ -39,7 +39,7 @@ class PassesPage : public QWidget {
   void checkWanted();                                             ///< of the session's passes
   void saveWanted(QString recipe);                                ///< of the session's passes
   void placeChosen(double x, double y, double z, QString frame);  ///< [m]
-  void toolWanted(QString name);                                  ///< of rviz
+  void toolWanted(QString name);                                  ///< name of an rviz tool
 
  private:
   void lay_out();
@@ -61,9 +61,9 @@ class PassesPage : public QWidget {
   QLabel* reach_;
   QLabel* end_;
   std::vector<PassPose> rows_;  // of the table
-  bool showing_ = false;        // the table follows the session, not the person
+  bool showing_ = false;        // the table is being updated from the session
   bool free_ = true;
-  bool to_be_checked_ = false;  // once it is free
+  bool to_be_checked_ = false;  // once the cell is free
 };
 
 }  // namespace scan_cell_rviz

@@ -19,9 +19,9 @@ namespace {
 
 using scan_cell_msgs::Jog;
 
-constexpr int kSend = 50;      // [ms] from message to message; the driver stops after 200
-constexpr int kTooLate = 150;  // [ms] the window did not answer: a release may be waiting in it
-constexpr double kSlow = 5;    // [%] to begin with; chosen
+constexpr int kSend = 50;      // [ms] between messages; the driver stops after 200
+constexpr int kTooLate = 150;  // [ms] the window hung: a release may still be queued
+constexpr double kSlow = 5;    // [%] initial; chosen
 
 }  // namespace
 
@@ -161,14 +161,14 @@ void TeachPage::hold(HoldButton* button, int axis, int direction) {
   jog_.direction = static_cast<std::int8_t>(direction);
   jog_.override = speed_->value();
   said_->clear();
-  link_.jog(Jog());  // the driver begins behind a button that is up
+  link_.jog(Jog());  // the driver needs a released button first
   since_sent_.start();
   timer_.start();
   send();
 }
 
-/// While the window hangs nothing is sent and the driver stops; then a person must press anew,
-/// because what was let go meanwhile is not known here yet.
+/// While the window hangs nothing is sent and the driver stops. The button must then be pressed
+/// again, because a release meanwhile has not been processed yet.
 void TeachPage::send() {
   if (held_ == nullptr || !held_->is_held()) return let_go({});
   if (!link_.has_driver()) return let_go(tr("The robot's driver is not running."));

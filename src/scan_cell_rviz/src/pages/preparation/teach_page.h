@@ -19,7 +19,7 @@
 
 namespace scan_cell_rviz {
 
-/// A person moves the robot by buttons that are held, and keeps poses.
+/// Moves the robot while buttons are held, and records poses.
 class TeachPage : public QWidget {
   Q_OBJECT
 
@@ -61,7 +61,7 @@ class TeachPage : public QWidget {
   QTimer timer_;
   QElapsedTimer since_sent_;
   HoldButton* held_ = nullptr;
-  scan_cell_msgs::Jog jog_;  // of the button that is held
+  scan_cell_msgs::Jog jog_;  // of the held button
 };
 
 }  // namespace scan_cell_rviz

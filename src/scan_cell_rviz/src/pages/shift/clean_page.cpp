@@ -139,7 +139,7 @@ void CleanPage::set_recipe(const QString& recipe, const QString& cleaning) {
   const bool are_others = recipe != recipe_ || stages_yaml(given) != stages_yaml(given_);
   recipe_ = recipe;
   given_ = given;
-  if (are_others) stages_->set_parameters(given);  // else what a person moved stays
+  if (are_others) stages_->set_parameters(given);  // else a person's settings stay
   show_view();
   if (!fault.isEmpty()) show_end(fault);
 }
@@ -154,7 +154,7 @@ void CleanPage::show_view() {
   EditedViewPtr view = session_.view();
   if (view && view->source->empty()) view = nullptr;  // the run has no scan
   const QStringList edits = view ? view->edits : QStringList();
-  if (edits != shown_edits_) end_->clear();  // it was of what was done before
+  if (edits != shown_edits_) end_->clear();  // it was about earlier edits
   shown_edits_ = edits;
   edits_->clear();
   edits_->addItems(edits);

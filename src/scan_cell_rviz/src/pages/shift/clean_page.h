@@ -14,22 +14,22 @@
 
 namespace scan_cell_rviz {
 
-/// Cleaning by hand: how the next edit is made, which there are, and what they leave.
+/// Cleaning by hand: settings of the next edit, the edits so far, and what they leave.
 class CleanPage : public QWidget {
   Q_OBJECT
 
  public:
   CleanPage(EditSession& session, QWidget* parent = nullptr);
 
-  /// The part type whose scan is in view; empty: none.
-  /// @param cleaning its settings, in YAML; empty: all as by default
+  /// Sets the part type whose scan is in view; empty: none.
+  /// @param cleaning its settings, in YAML; empty: defaults
   void set_recipe(const QString& recipe, const QString& cleaning);
 
-  void show_end(const QString& message);  ///< of what was saved, or why not
+  void show_end(const QString& message);  ///< of saving, or why it failed
 
  Q_SIGNALS:
-  void toolWanted(QString name);  ///< of a tool of rviz, such as polygon; box, view
-  void boxWanted();               ///< the edit by the box in the view
+  void toolWanted(QString name);  ///< name of an rviz tool, such as polygon; box, view
+  void boxWanted();               ///< edit by the box in the view
   void saveWanted(QString recipe, QString edits);         ///< YAML
   void stagesSaveWanted(QString recipe, QString stages);  ///< YAML
 
@@ -42,7 +42,7 @@ class CleanPage : public QWidget {
 
   EditSession& session_;
   QString recipe_;
-  cloud_preprocess::CleanParameters given_;  // of the recipe
+  cloud_preprocess::CleanParameters given_;  // by the recipe
   QStringList shown_edits_;
   QLabel* count_;
   QComboBox* what_;

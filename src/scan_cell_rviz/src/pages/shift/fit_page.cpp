@@ -16,7 +16,7 @@ namespace {
 using scan_cell_common::kMillimetres;
 using scan_cell_msgs::RunSummary;
 
-/// What a person may want to copy.
+/// A label whose text can be copied.
 QLabel* selectable_label(const char* name, QWidget* parent) {
   QLabel* const label = text_label(name, parent);
   label->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);

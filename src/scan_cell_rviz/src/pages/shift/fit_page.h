@@ -13,7 +13,7 @@
 
 namespace scan_cell_rviz {
 
-/// What a run found: the verdict in words, its figures, and what a person says of it.
+/// The result of a run: the verdict in words, its figures, and a person's decision.
 class FitPage : public QWidget {
   Q_OBJECT
 

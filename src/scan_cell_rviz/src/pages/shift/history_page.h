@@ -10,7 +10,7 @@
 
 namespace scan_cell_rviz {
 
-/// The last runs; one that is chosen is opened.
+/// The last runs; opens the chosen one.
 class HistoryPage : public QWidget {
   Q_OBJECT
 

@@ -15,7 +15,7 @@ using scan_cell_msgs::RecipeState;
 
 constexpr int kPicture = 72;               // pixels
 constexpr int kName = Qt::UserRole;        // of the recipe
-constexpr int kMayRun = Qt::UserRole + 1;  // whether it can be run
+constexpr int kMayRun = Qt::UserRole + 1;  // whether it can run
 
 QString words_of(const RecipeState& recipe) {
   switch (recipe.state) {
@@ -62,7 +62,7 @@ PartPage::PartPage(QWidget* parent)
   connect(refresh, &QPushButton::clicked, this, &PartPage::refreshWanted);
   connect(run_, &QPushButton::clicked, this, [this] {
     Q_EMIT runWanted(chosen(), note_->text());
-    note_->clear();  // it is of that part alone
+    note_->clear();  // about that part only
   });
   update_button();
 }

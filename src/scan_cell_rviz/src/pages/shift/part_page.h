@@ -13,14 +13,14 @@
 
 namespace scan_cell_rviz {
 
-/// Which part lies there: the recipes with their pictures, and the button that scans it.
+/// Chooses the part on the table: the recipes with their pictures, and the button that scans it.
 class PartPage : public QWidget {
   Q_OBJECT
 
  public:
   explicit PartPage(QWidget* parent = nullptr);
 
-  /// The chosen one stays chosen if it is still there.
+  /// The chosen recipe stays chosen if it is still listed.
   void show_recipes(const std::vector<scan_cell_msgs::RecipeState>& recipes);
   void show_missed(const QString& why);  ///< the recipes could not be listed
   void set_free(bool free);              ///< whether a scan may begin

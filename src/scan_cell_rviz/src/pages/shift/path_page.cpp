@@ -170,7 +170,7 @@ void PathPage::lay_out() {
   layout->addWidget(end_);
 }
 
-/// What was done to the path of a run is there again when the run is.
+/// Restores the edits made to the path of a run before.
 void PathPage::show_run(const scan_cell_msgs::DescribeRunResponse& run) {
   const QString id = QString::fromStdString(run.run.id);
   if (id == run_ && session_.is_open()) return;
@@ -223,7 +223,7 @@ void PathPage::take_selection() {
   Q_EMIT placeChosen(at.x(), at.y(), at.z(), QString::fromStdString(session_.frame()));
 }
 
-/// As it was chosen in the view, or as edits left it.
+/// Shows the selection made in the view, or left by edits.
 void PathPage::show_selection() {
   showing_ = true;
   QItemSelection rows;

@@ -20,8 +20,8 @@
 
 namespace scan_cell_rviz {
 
-/// The adapted path of the run in view, edited by hand: its waypoints in a table, what is done to
-/// those that are chosen there or in the view, and what was done. Saved, it is a run of its own.
+/// Edits the adapted path of the run in view by hand: a table of its waypoints, edits of those
+/// chosen there or in the view, and a list of the edits. It is saved as a new run.
 class PathPage : public QWidget {
   Q_OBJECT
 
@@ -29,12 +29,12 @@ class PathPage : public QWidget {
   PathPage(PathSession& session, QWidget* parent = nullptr);
 
   void show_run(const scan_cell_msgs::DescribeRunResponse& run);
-  void set_free(bool free);               ///< whether an edited path can be made to a run
-  void show_end(const QString& message);  ///< of what was saved, or why not
+  void set_free(bool free);               ///< whether a new run may be made
+  void show_end(const QString& message);  ///< of saving, or why it failed
 
  Q_SIGNALS:
   void saveWanted(QString run, QString edits, QString note);      ///< YAML
-  void toolWanted(QString name);                                  ///< of rviz
+  void toolWanted(QString name);                                  ///< name of an rviz tool
   void placeChosen(double x, double y, double z, QString frame);  ///< [m]
 
  private:
@@ -55,9 +55,9 @@ class PathPage : public QWidget {
 
   PathSession& session_;
   QString run_;
-  std::map<QString, std::vector<tool_paths::PathEdit>> kept_;  // of other runs, until it is closed
+  std::map<QString, std::vector<tool_paths::PathEdit>> kept_;  // of other runs
   bool free_ = false;
-  bool showing_ = false;  // the table follows the session, not the person
+  bool showing_ = false;  // the table is being updated from the session
   QLabel* count_;
   PathTable* table_;
   QTableView* waypoints_;

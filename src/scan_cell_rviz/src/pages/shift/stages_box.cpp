@@ -30,7 +30,7 @@ std::optional<double> number_in(const ParameterValue& value) {
   return std::nullopt;
 }
 
-/// The stage and the parameter's own name.
+/// The stage and the parameter's name within it.
 std::pair<std::string, std::string> parts_of(const std::string& name) {
   const std::size_t slash = name.find('/');
   return {name.substr(0, slash), name.substr(slash + 1)};
@@ -93,7 +93,7 @@ void StagesBox::add_row(const Parameter& parameter, const ParameterValue& value)
   const bool is_switch = std::holds_alternative<bool>(value);
   const bool is_limit = parameter.also == scan_cell_common::Also::kNone;
   if (forms_.count(stage) == 0 || is_limit || (!number && !is_switch)) return;
-  if (number && !(*number > 0 && std::isfinite(*number))) return;  // no decades are around it
+  if (number && !(*number > 0 && std::isfinite(*number))) return;  // no log slider for it
   Row& row = rows_[parameter.name];
   const std::string& full = parameter.name;
   const std::string widget = stage + "_" + name;
@@ -115,7 +115,7 @@ void StagesBox::add_row(const Parameter& parameter, const ParameterValue& value)
     connect(row.box, &QCheckBox::toggled, this, [this, full] { touch(full); });
     return;
   }
-  constexpr int kDecimals = 4;  // of what is no whole number; chosen
+  constexpr int kDecimals = 4;  // of numbers that are not whole; chosen
   row.factor = factor_of(parameter.unit);
   const bool whole = std::holds_alternative<std::int64_t>(value);
   row.slider = new LogSlider(*number * row.factor, parameter.min * row.factor,

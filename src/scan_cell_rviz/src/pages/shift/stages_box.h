@@ -18,17 +18,16 @@
 
 namespace scan_cell_rviz {
 
-/// The automatic stages of cleaning: each number and switch of their table of parameters, and what
-/// each stage would take. What is no number and no switch stays as the recipe has it.
+/// The automatic cleaning stages: their numeric parameters and switches, and what each stage would
+/// remove. Other parameters stay as in the recipe.
 class StagesBox : public QGroupBox {
   Q_OBJECT
 
  public:
   explicit StagesBox(QWidget* parent = nullptr);
 
-  void set_parameters(
-      const cloud_preprocess::CleanParameters& parameters);  ///< as the recipe has them
-  /// @return none: the stages are not looked at
+  void set_parameters(const cloud_preprocess::CleanParameters& parameters);  ///< from the recipe
+  /// @return none: the box is switched off
   std::optional<cloud_preprocess::CleanParameters> parameters() const;
 
   void show_stages(const std::vector<StageView>& stages);
@@ -39,12 +38,12 @@ class StagesBox : public QGroupBox {
   void saveWanted();
 
  private:
-  /// Of one parameter, a slider or a box.
+  /// The widgets of one parameter: a slider or a box.
   struct Row {
-    double factor = 1;  // from the parameter's unit to the one that is shown
+    double factor = 1;  // from the parameter's unit to the displayed one
     LogSlider* slider = nullptr;
     QCheckBox* box = nullptr;
-    bool touched = false;  // else the parameter stays as it is, to the last digit
+    bool touched = false;  // false: the parameter stays as it is, to the last digit
   };
 
   void add_row(const scan_cell_common::Parameter& parameter,

@@ -38,13 +38,13 @@ WorkPage::WorkPage(QWidget* parent)
   layout->addWidget(part_);
   layout->addWidget(dry_);
   layout->addWidget(work_);
-  layout->addLayout(preview_box());  // its words are of any length: nothing to press is below
+  layout->addLayout(preview_box());  // no button below: the text may have any length
   layout->addWidget(end_);
   layout->addStretch();
   for (QPushButton* const button : {dry_, work_}) {
     connect(button, &QPushButton::clicked, this, [this, button] {
       if (button == work_ && !may_work_again()) return;
-      end_->clear();  // it told of the last time
+      end_->clear();  // from the last time
       Q_EMIT workWanted(QString::fromStdString(run_.id), button == dry_);
     });
   }
@@ -147,7 +147,7 @@ void WorkPage::show_pose(int pose) {
                     text_at(*shown_, static_cast<std::size_t>(pose)));
 }
 
-/// The ghost goes to the waypoint, and the view to the very place.
+/// Moves the ghost to the fault's waypoint, and the view to its exact place.
 void WorkPage::show_fault(int row) {
   if (!shown_ || row < 0 || row >= static_cast<int>(shown_->faults.size())) return;
   const auto& fault = shown_->faults[static_cast<std::size_t>(row)];
@@ -156,7 +156,7 @@ void WorkPage::show_fault(int row) {
   Q_EMIT placeChosen(place.x, place.y, place.z, QString::fromStdString(shown_->header.frame_id));
 }
 
-/// A part that was worked before may not bear it twice.
+/// Asks first: a part that was worked before may not stand it twice.
 bool WorkPage::may_work_again() {
   if (works_ == 0) return true;
   return QMessageBox::question(this, tr("Work it again?"),
@@ -180,7 +180,7 @@ void WorkPage::show_run(const scan_cell_msgs::DescribeRunResponse& described) {
   if (is_another) {
     end_->clear();
     forget_preview();
-    asked_ = false;  // what was asked for is of the run that was in view
+    asked_ = false;  // the request was for the run that was in view
   }
   run_ = run;
   const QString name = QString::fromStdString(run.recipe + ", " + run.id);
@@ -196,7 +196,7 @@ void WorkPage::show_run(const scan_cell_msgs::DescribeRunResponse& described) {
   else
     part_->setText(tr("%1: approve it first").arg(name));
   update_buttons();
-  if (is_another && came_) show_preview(came_);  // the view shows it, too, where it is of this run
+  if (is_another && came_) show_preview(came_);  // drawn in the view, too, if it is of this run
 }
 
 void WorkPage::show_end(const QString& message) {

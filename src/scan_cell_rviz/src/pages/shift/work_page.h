@@ -15,8 +15,8 @@
 
 namespace scan_cell_rviz {
 
-/// The robot follows the path of an approved run: looked at before, then dry, then with the tool
-/// on.
+/// The robot follows the path of an approved run: first a preview, then a dry run, then with the
+/// tool on.
 class WorkPage : public QWidget {
   Q_OBJECT
 
@@ -26,10 +26,10 @@ class WorkPage : public QWidget {
   void show_run(const scan_cell_msgs::DescribeRunResponse& run);
   void show_end(const QString& message);  ///< how the work ended
   void set_free(bool free);               ///< whether the robot may begin
-  /// Of the run in view; others are not shown.
+  /// Shows a preview of the run in view; others are not shown.
   void show_preview(const scan_cell_msgs::WorkPreviewConstPtr& preview);
   void set_limits(const scan_cell_rviz::RobotLimits& limits);  ///< of the robot's joints
-  void give_up_preview();                                      ///< what was asked for does not come
+  void give_up_preview();                                      ///< the requested one will not come
 
  Q_SIGNALS:
   void workWanted(QString run, bool dry);
@@ -49,7 +49,7 @@ class WorkPage : public QWidget {
   void update_buttons();
 
   scan_cell_msgs::RunSummary run_;
-  unsigned works_ = 0;  // of its path, with the tool
+  unsigned works_ = 0;  // how often its path was run with the tool on
   QLabel* part_;
   QLabel* end_;
   QPushButton* preview_;
@@ -60,10 +60,10 @@ class WorkPage : public QWidget {
   QListWidget* faults_;
   QPushButton* dry_;
   QPushButton* work_;
-  scan_cell_msgs::WorkPreviewConstPtr came_;   // last, be it of another run
-  scan_cell_msgs::WorkPreviewConstPtr shown_;  // of this one
+  scan_cell_msgs::WorkPreviewConstPtr came_;   // the last one, of any run
+  scan_cell_msgs::WorkPreviewConstPtr shown_;  // of the run in view
   RobotLimits limits_;
-  bool asked_ = false;  // for a preview that has neither come nor failed
+  bool asked_ = false;  // a preview is requested and has neither come nor failed
   bool free_ = false;
 };
 

@@ -19,7 +19,7 @@ void PickTool::activate() {
                 : tr("No reference is in view: choose a recipe on the page of new paths."));
 }
 
-/// @return whether there was something to pick
+/// @return whether the ray met the reference
 bool PickTool::pick(rviz::ViewportMouseEvent& event) {
   PickSession& session = shared_pick_session();
   const auto frame = frame_in_view(*context_, session.frame());
@@ -30,7 +30,7 @@ int PickTool::processMouseEvent(rviz::ViewportMouseEvent& event) {
   const bool is_click = event.leftDown() && !event.alt();
   if (is_click) missed_ = !pick(event);
   if (!is_click || missed_) context_->getViewManager()->getCurrent()->handleMouseEvent(event);
-  activate();  // in place of what the view says of the left button
+  activate();  // replaces the view's help for the left button
   if (missed_) setStatus(tr("Nothing of the reference was there. Click on it."));
   return Render;
 }

@@ -6,8 +6,8 @@
 
 namespace scan_cell_rviz {
 
-/// Picks places on the reference, for a path through them. Other buttons, and the left one beside
-/// the reference, move the view as ever.
+/// Picks places on the reference, for a path through them. The other buttons, and the left button
+/// off the reference, move the view as usual.
 class PickTool : public rviz::Tool {
   Q_OBJECT
 
@@ -21,7 +21,7 @@ class PickTool : public rviz::Tool {
  private:
   bool pick(rviz::ViewportMouseEvent& event);
 
-  bool missed_ = false;  // the last click
+  bool missed_ = false;  // by the last click
 };
 
 }  // namespace scan_cell_rviz

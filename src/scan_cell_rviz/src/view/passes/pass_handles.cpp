@@ -26,14 +26,14 @@ struct Look {
   double width;  // [m]
 };
 
-/// Told apart by width and by words, not by colour alone.
+/// Width and words tell passes apart, not only colour.
 Look look_of(Reach reach) {
   if (reach == Reach::kReachable) return {0.0F, 0.35F, 0.8F, 0.002};
   if (reach == Reach::kNot) return {0.85F, 0.1F, 0.1F, 0.006};
   return {0.5F, 0.5F, 0.5F, 0.002};
 }
 
-/// On the circle from the first over the second to the third; a straight line where there is none.
+/// The circular arc through three places; straight if they lie on a line.
 std::vector<Vector3d> arc_through(const Vector3d& start, const Vector3d& via, const Vector3d& end) {
   constexpr int kSteps = 40;  // chosen
   const Vector3d a = start - end, b = via - end;
@@ -158,7 +158,7 @@ void PassHandles::draw_handles() {
 
 void PassHandles::on_feedback(std::size_t pass, std::size_t pose, const Feedback& feedback) {
   if (feedback->event_type != InteractiveMarkerFeedback::MOUSE_UP) return;
-  // Later: the change draws the markers anew, whose callback this is.
+  // Later: the change redraws the markers, and this is a callback of one.
   QTimer::singleShot(0, this, [this, pass, pose, to = feedback->pose] {
     const auto& passes = session_.passes();
     if (pass >= passes.size() || pose >= passes[pass].poses.size()) return;

@@ -14,12 +14,12 @@
 
 namespace scan_cell_rviz {
 
-/// The passes as markers: blue where the robot can scan them, red, thick and with the reason where
-/// it cannot, grey where nobody knows; arcs as arcs.
+/// Markers of the passes: blue where the robot can scan them, red, thick and with the reason where
+/// it cannot, grey where this is unknown. Arcs are drawn as arcs.
 visualization_msgs::MarkerArray pass_markers(const PassSession& session);
 
-/// The passes in the view, on the topic ~passes of this node, and arrows and rings at each pose of
-/// the pass that is chosen: interactive markers on ~pass_poses.
+/// Shows the passes in the view, on the topic ~passes of this node, with arrows and rings at each
+/// pose of the chosen pass: interactive markers on ~pass_poses.
 class PassHandles : public QObject {
   Q_OBJECT
 

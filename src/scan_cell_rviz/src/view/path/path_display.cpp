@@ -16,9 +16,9 @@ namespace {
 
 constexpr float kSize = 0.0015F;         // [m] of a waypoint; chosen
 constexpr float kEditedTimes = 2;        // larger than others; chosen
-constexpr std::size_t kMostChosen = 50;  // with axes: more hide the path; chosen
+constexpr std::size_t kMostChosen = 50;  // with axes: more would hide the path; chosen
 const Ogre::ColourValue kPath(0.75F, 0.75F, 0.75F);
-const Ogre::ColourValue kEdited(0.90F, 0.45F, 0.05F);  // orange: told from grey by all eyes
+const Ogre::ColourValue kEdited(0.90F, 0.45F, 0.05F);  // orange: distinct if colour-blind
 const Ogre::ColourValue kDeleted(0.35F, 0.35F, 0.35F);
 
 void fill(rviz::PointCloud& shown, const std::vector<Eigen::Vector3d>& places, float size,
@@ -47,7 +47,7 @@ PathDisplay::~PathDisplay() {
 void PathDisplay::onInitialize() {
   const auto make = [this](const char* name, rviz::PointCloud::RenderMode mode) {
     auto cloud = std::make_unique<rviz::PointCloud>();
-    cloud->setName(name);  // Ogre tells them apart by it
+    cloud->setName(name);  // Ogre needs different names
     cloud->setRenderMode(mode);
     scene_node_->attachObject(cloud.get());
     return cloud;
@@ -78,7 +78,8 @@ void PathDisplay::show() {
   show_chosen();
 }
 
-/// Pieces of their own: rviz divides by how many lines of the longest fit into 16384 points.
+/// Splits lines into pieces: rviz divides by the number of longest lines that fit into 16384
+/// points, which must not be 0.
 void PathDisplay::draw_lines(float width) {
   constexpr std::size_t kMost = 1000;  // points of a piece; chosen
   lines_.clear();

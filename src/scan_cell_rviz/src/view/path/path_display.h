@@ -16,9 +16,8 @@ class FloatProperty;
 
 namespace scan_cell_rviz {
 
-/// The path that is edited by hand. Told apart by shape, not by colour alone: balls are waypoints
-/// as they were adapted, large cubes were edited, flat squares were deleted, and axes stand at
-/// those that are chosen.
+/// The path edited by hand. Shapes tell waypoints apart, not only colours: balls are as adapted,
+/// large cubes are edited, flat squares are deleted; chosen waypoints have axes.
 class PathDisplay : public rviz::Display {
   Q_OBJECT
 

@@ -46,7 +46,7 @@ void WaypointHandles::draw() {
 
 void WaypointHandles::on_feedback(const Feedback& feedback) {
   if (feedback->event_type != InteractiveMarkerFeedback::MOUSE_UP) return;
-  // Later: the edit draws the marker anew, whose callback this is.
+  // Later: the edit redraws the marker, and this is a callback of it.
   QTimer::singleShot(0, this, [this, feedback] { take(feedback); });
 }
 

@@ -11,16 +11,15 @@
 
 namespace scan_cell_rviz {
 
-/// Arrows and rings at the last of the waypoints that are chosen: what is done to it there, when
-/// the mouse lets go, is done to all of them. An interactive marker on the topic ~waypoint of this
-/// node.
+/// Arrows and rings at the last of the chosen waypoints: when the mouse button is released, its
+/// change is applied to all of them. An interactive marker on the topic ~waypoint of this node.
 class WaypointHandles : public QObject {
   Q_OBJECT
 
  public:
   explicit WaypointHandles(PathSession& session);
 
-  /// From here on they are there where a waypoint is chosen.
+  /// Shows them from now on whenever a waypoint is chosen.
   void show();
   const std::string& topic() const { return topic_; }  //!< of the interactive markers
 

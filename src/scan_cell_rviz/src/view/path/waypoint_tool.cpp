@@ -39,7 +39,7 @@ bool WaypointTool::choose(rviz::ViewportMouseEvent& event) {
 int WaypointTool::processMouseEvent(rviz::ViewportMouseEvent& event) {
   if (!event.leftDown() || event.alt() || !choose(event))
     context_->getViewManager()->getCurrent()->handleMouseEvent(event);
-  activate();  // in place of what the view says of the left button
+  activate();  // replaces the view's help for the left button
   return Render;
 }
 

@@ -6,8 +6,8 @@
 
 namespace scan_cell_rviz {
 
-/// Chooses a waypoint of the path under edit by a click, and with Shift all up to another one.
-/// Other buttons, and the left one beside the path, move the view as ever.
+/// Chooses a waypoint of the edited path by a click, and with Shift all up to another one. The
+/// other buttons, and the left button off the path, move the view as usual.
 class WaypointTool : public rviz::Tool {
   Q_OBJECT
 

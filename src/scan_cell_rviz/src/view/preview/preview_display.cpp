@@ -22,7 +22,7 @@ namespace {
 using rviz::StatusProperty;
 using scan_cell_msgs::WorkPreview;
 
-constexpr float kAlpha = 0.5F;  // the robot itself stays in sight; chosen
+constexpr float kAlpha = 0.5F;  // the robot itself stays visible; chosen
 
 void place(rviz::Robot& robot, const std::map<std::string, Eigen::Isometry3d>& poses) {
   for (const auto& [name, link] : robot.getLinks()) {
@@ -57,7 +57,7 @@ PreviewDisplay::PreviewDisplay() {
   run_ = new rviz::StringProperty("Run", "",
                                   "whose preview alone is drawn, its id; empty: that of any", this,
                                   SLOT(subscribe()));
-  run_->setShouldBeSaved(false);  // it is the one that is chosen in the seat
+  run_->setShouldBeSaved(false);  // the seat sets it
   pose_ = new rviz::IntProperty("Pose", 0, "of the tip, counted from 0, where the ghost stands",
                                 this, SLOT(place_ghost()));
   pose_->setMin(0);
@@ -88,7 +88,7 @@ void PreviewDisplay::onDisable() {
   forget();
 }
 
-/// What came by another topic, of another run, or before it was hidden, is no longer true.
+/// What came on another topic, of another run, or before hiding, is no longer valid.
 void PreviewDisplay::forget() {
   subscriber_.shutdown();
   preview_.reset();
@@ -103,7 +103,7 @@ void PreviewDisplay::subscribe() {
   try {
     subscriber_ = update_nh_.subscribe(topic_->getTopicStd(), 10, &PreviewDisplay::show, this);
     deleteStatus("Topic");
-  } catch (const ros::Exception& error) {  // of a name that is none
+  } catch (const ros::Exception& error) {  // an invalid name
     setStatus(StatusProperty::Error, "Topic", error.what());
   }
 }
@@ -119,7 +119,7 @@ void PreviewDisplay::load_robot() {
       model_ = std::make_unique<LinkPoses>(text);
       robot_->load(urdf, true, false);
     }
-  } catch (const ros::Exception&) {  // a name that is none
+  } catch (const ros::Exception&) {  // an invalid name
   } catch (const scan_cell_common::Error&) {
   }
   place_ghost();
@@ -155,7 +155,7 @@ void PreviewDisplay::place_ghost() {
   context_->queueRender();
 }
 
-/// @return why there are none; empty: there are
+/// @return why the links have no poses; empty: they have
 std::string PreviewDisplay::place_links(const std::map<std::string, double>& joints) {
   if (!model_) return description_->getStdString() + " is no URDF: no ghost";
   if (joints.empty()) return "the robot does not get there, or there is no such pose";
@@ -181,7 +181,7 @@ void PreviewDisplay::update(float, float) {
                          ? QObject::tr("none was asked for")
                          : QObject::tr("one came of %1, not of this run").arg(left_out_));
   const auto frame = frame_in_view(*context_, preview_->header.frame_id);
-  if (frame.has_value() != in_frame_) {  // elsewhere it would tell untruths
+  if (frame.has_value() != in_frame_) {  // it would be drawn in the wrong place
     in_frame_ = frame.has_value();
     scene_node_->setVisible(in_frame_);
     place_ghost();
@@ -199,7 +199,7 @@ void PreviewDisplay::update(float, float) {
 void PreviewDisplay::reset() {
   rviz::Display::reset();
   load_robot();
-  subscribe();  // it is latched
+  subscribe();  // the topic is latched
 }
 
 }  // namespace scan_cell_rviz

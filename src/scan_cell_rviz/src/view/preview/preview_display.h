@@ -22,8 +22,8 @@ class StringProperty;
 
 namespace scan_cell_rviz {
 
-/// What the robot would do with a path, before it moves: the way, and a ghost of the robot at the
-/// pose that "Pose" counts.
+/// What the robot would do with a path: the way, and a ghost of the robot at the pose with the
+/// index "Pose".
 class PreviewDisplay : public rviz::Display {
   Q_OBJECT
 
@@ -34,7 +34,7 @@ class PreviewDisplay : public rviz::Display {
   void update(float wall_dt, float ros_dt) override;
   void reset() override;
 
-  /// Where a link of the ghost is drawn in the view [m]. @return none: it is not shown
+  /// Position of a link of the ghost in the view [m]. @return none: it is not shown
   std::optional<Eigen::Vector3d> ghost(const std::string& link) const;
 
  protected:
@@ -59,12 +59,12 @@ class PreviewDisplay : public rviz::Display {
   rviz::FloatProperty* alpha_;
   ros::Subscriber subscriber_;
   scan_cell_msgs::WorkPreviewConstPtr preview_;
-  QString left_out_;  // path of the last one that is of another run
+  QString left_out_;  // path of the last preview of another run
   std::unique_ptr<PreviewDrawing> drawing_;
   std::unique_ptr<rviz::Robot> robot_;
   std::unique_ptr<LinkPoses> model_;
-  std::map<std::string, Eigen::Isometry3d> links_;  // of the ghost; empty: it is hidden
-  bool in_frame_ = true;                            // the preview's frame is known
+  std::map<std::string, Eigen::Isometry3d> links_;  // of the ghost; empty: hidden
+  bool in_frame_ = true;                            // rviz knows the preview's frame
 };
 
 }  // namespace scan_cell_rviz

@@ -21,7 +21,7 @@ constexpr float kLetters = 0.012F;       // [m] high; chosen
 constexpr std::size_t kFrames = 24;      // at most; chosen
 constexpr std::size_t kFaults = 200;     // at most: the list beside it has them all; chosen
 const Ogre::ColourValue kAway(0.6F, 0.6F, 0.6F);      // to the path and away from it
-const Ogre::ColourValue kFault(0.90F, 0.45F, 0.05F);  // orange: told from the speeds by all eyes
+const Ogre::ColourValue kFault(0.90F, 0.45F, 0.05F);  // orange: distinct from all speed colours
 
 Ogre::Vector3 place_of(const geometry_msgs::Pose& pose) {
   return Ogre::Vector3(static_cast<float>(pose.position.x), static_cast<float>(pose.position.y),

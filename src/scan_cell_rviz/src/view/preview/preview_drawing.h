@@ -14,8 +14,8 @@
 
 namespace scan_cell_rviz {
 
-/// The way of the tool's tip in the colours of its speed, the tool's frame at some of its poses,
-/// and a ball where the robot cannot follow.
+/// The way of the tool's tip, coloured by speed, the tool's frame at some poses, and balls where
+/// the robot cannot follow.
 class PreviewDrawing {
  public:
   PreviewDrawing(Ogre::SceneManager* scene, Ogre::SceneNode* node) : scene_(scene), node_(node) {}

@@ -35,7 +35,7 @@ Marker marker_of(std::int32_t type, const Eigen::Vector3d& size, float alpha) {
   return marker;
 }
 
-/// Moved and turned by arrows and rings.
+/// The handle that moves and turns the box by arrows and rings.
 InteractiveMarker body_of(const BoxShape& box) {
   constexpr float kClear = 0.25F;
   InteractiveMarker body;
@@ -52,7 +52,7 @@ InteractiveMarker body_of(const BoxShape& box) {
   return body;
 }
 
-/// A ball on a face, which is pulled out or pushed in.
+/// A ball on a face, to pull it out or push it in.
 InteractiveMarker handle_of(const BoxShape& box, int face) {
   constexpr double kShare = 0.08;  // of the longest side; chosen
   InteractiveMarker handle;

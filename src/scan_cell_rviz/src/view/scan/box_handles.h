@@ -11,21 +11,21 @@
 
 namespace scan_cell_rviz {
 
-/// A box in the view that a person moves, turns and pulls by its faces: an interactive marker on
-/// the topic ~box of this node. Callbacks are served by rviz.
+/// A box in the view that a person moves, turns and resizes by its faces: an interactive marker on
+/// the topic ~box of this node. rviz serves its callbacks.
 class BoxHandles : public QObject {
   Q_OBJECT
 
  public:
   explicit BoxHandles(EditSession& session);
 
-  /// Puts a box amid the scan in view; does nothing where there is none.
+  /// Puts a box in the middle of the scan in view; does nothing without a scan.
   void show();
   void hide();
   bool shown() const { return !frame_.empty(); }
   const std::string& topic() const { return topic_; }  //!< of the interactive markers
 
-  /// Deletes what is in it, or keeps that alone, as the page says.
+  /// Deletes the points in the box, or all others, as set on the page.
   void apply();
 
  private:

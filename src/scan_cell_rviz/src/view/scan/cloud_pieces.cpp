@@ -14,10 +14,10 @@
 namespace scan_cell_rviz {
 namespace {
 
-constexpr std::size_t kPoints = 1 << 14;         // of a piece, about: filled in a millisecond
-constexpr std::size_t kFewest = 3;               // pieces that are drawn on any computer; chosen
+constexpr std::size_t kPoints = 1 << 14;         // of a piece, approximately: filled in 1 ms
+constexpr std::size_t kFewest = 3;               // pieces drawn on any computer; chosen
 constexpr std::chrono::milliseconds kATurn{10};  // of the window, for filling; chosen
-constexpr double kPicture = 0.025;  // [s] for a picture: with filling within the 50 ms of the goal
+constexpr double kPicture = 0.025;  // [s] for a picture: with filling within the goal of 50 ms
 
 }  // namespace
 
@@ -38,7 +38,7 @@ void CloudPieces::set_size(float pixels) {
 void CloudPieces::show(std::shared_ptr<const Cloud> cloud, Looks looks) {
   if (cloud == cloud_ && looks == looks_) return;
   if (cloud != cloud_) {
-    set_count(0);  // no piece of the cloud before beside one of this
+    set_count(0);  // no old piece beside new ones
     set_count((cloud->size() + kPoints - 1) / kPoints);
   }
   for (Piece& piece : pieces_)
@@ -55,7 +55,7 @@ void CloudPieces::set_count(std::size_t count) {
   while (pieces_.size() < count) {
     Piece& piece = pieces_.emplace_back();
     piece.points = std::make_unique<rviz::PointCloud>();
-    piece.points->setName("piece " + std::to_string(pieces_.size()));  // Ogre tells them by it
+    piece.points->setName("piece " + std::to_string(pieces_.size()));  // Ogre needs different names
     piece.points->setRenderMode(rviz::PointCloud::RM_POINTS);
     piece.points->setDimensions(size_, size_, size_);
   }
@@ -78,7 +78,8 @@ bool CloudPieces::draw() {
   return is_current;
 }
 
-/// What a picture takes grows at most with what is drawn, so no step up is taken back at once.
+/// The time of a picture grows at most in proportion to what is drawn, so an increase is not
+/// reverted at once.
 void CloudPieces::follow(double seconds) {
   constexpr double kStep = 1.5;  // chosen
   if (seconds > kPicture)
@@ -94,8 +95,8 @@ double CloudPieces::share() const {
          static_cast<double>(pieces_.size());
 }
 
-/// Detached: rviz would attach each of its buffers as well, and draw them twice, whether the piece
-/// is seen or not.
+/// Fills the piece detached: rviz would also attach each of its buffers and draw them twice,
+/// whether the piece is visible or not.
 void CloudPieces::fill(std::size_t piece) {
   std::vector<rviz::PointCloud::Point> drawn;
   drawn.reserve(kPoints);

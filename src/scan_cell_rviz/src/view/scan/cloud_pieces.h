@@ -17,13 +17,13 @@ class SceneNode;
 
 namespace scan_cell_rviz {
 
-/// A large cloud in the scene, of which as many points are drawn as the computer draws in time.
-/// Each piece has points from all over the cloud, so some of the pieces are the cloud thinned. They
-/// are handed to the graphics system a few at each turn of the window, which never waits for all.
+/// A large cloud in the scene, of which only as many points are drawn as the computer can draw in
+/// time. Each piece has points from all over the cloud, so a few pieces are the thinned cloud. A
+/// few pieces per turn of the window go to the graphics system, so the window never waits for all.
 class CloudPieces {
  public:
   using Cloud = cloud_preprocess::Cloud;
-  /// How each point looks: 0 is not drawn, others count the colours from 1.
+  /// Appearance of each point: 0 is not drawn, others are colour numbers from 1.
   using Looks = std::vector<std::uint8_t>;
 
   /// @param node outlives this; has the pose of the cloud's frame
@@ -35,20 +35,20 @@ class CloudPieces {
 
   void set_size(float pixels);  ///< of a point
 
-  /// From now on; draw() brings it about.
+  /// Sets what to show; draw() draws it.
   /// @param cloud [m] in the node's frame
-  /// @param looks of each of its points
+  /// @param looks one per point
   void show(std::shared_ptr<const Cloud> cloud, Looks looks);
 
-  /// To be called at each turn of the window.
-  /// @return whether what is drawn is as it was asked for
+  /// Call it at each turn of the window.
+  /// @return whether the drawing is up to date
   bool draw();
 
-  /// Draws more points or fewer from the next turn on.
-  /// @param seconds that the last picture took
+  /// Adapts the number of points drawn from the next turn on.
+  /// @param seconds time of the last picture
   void follow(double seconds);
 
-  double share() const;  ///< of the cloud's points that are drawn, 0 .. 1
+  double share() const;  ///< of the cloud's points drawn, 0 to 1
 
  private:
   struct Piece {
@@ -65,7 +65,7 @@ class CloudPieces {
   std::shared_ptr<const Cloud> cloud_;
   Looks looks_;
   std::vector<Piece> pieces_;
-  std::size_t drawn_;  // pieces, at most
+  std::size_t drawn_;  // greatest number of pieces
 };
 
 }  // namespace scan_cell_rviz

@@ -18,7 +18,7 @@ namespace {
 
 constexpr float kPixels = 3;  // of a point; chosen
 const Ogre::ColourValue kKept(0.95F, 0.95F, 0.95F);
-const Ogre::ColourValue kTaken(0.90F, 0.45F, 0.05F);  // orange: told from grey by all eyes
+const Ogre::ColourValue kTaken(0.90F, 0.45F, 0.05F);  // orange: distinct if colour-blind
 
 // In the order of colours().
 enum Look : std::uint8_t { kNotDrawn, kStays, kWasTaken, kFirstStage };
@@ -30,8 +30,8 @@ std::vector<Ogre::ColourValue> colours() {
   return all;
 }
 
-/// Of each point of the source. What a stage would take is marked as long as no later edit takes
-/// it.
+/// The look of each point of the source. What a stage would remove is marked until a later edit
+/// takes it.
 CloudPieces::Looks looks_of(const EditedView& view) {
   CloudPieces::Looks looks(view.source->size(), kNotDrawn);
   for (const std::uint32_t i : view.shown)
@@ -69,7 +69,7 @@ void EditDisplay::onInitialize() {
 }
 
 void EditDisplay::show() {
-  if (!pieces_ || !isEnabled()) return;  // millions of points that nobody sees
+  if (!pieces_ || !isEnabled()) return;  // nobody sees the points
   const EditedViewPtr view = shared_edit_session().view();
   if (view) pieces_->show(view->source, looks_of(*view));
   view_ = view;
@@ -84,7 +84,7 @@ void EditDisplay::update(float, float) {
                      QString::fromStdString("frame '" + view_->frame + "' is not known to rviz"));
   scene_node_->setPosition(frame->position);
   scene_node_->setOrientation(frame->orientation);
-  constexpr double kLargest = 2;  // times the size, so that a thinned surface stays one; chosen
+  constexpr double kLargest = 2;  // times the size, to keep a thinned surface closed; chosen
   const double larger = std::min(kLargest, std::sqrt(1 / pieces_->share()));
   pieces_->set_size(std::round(size_->getFloat() * static_cast<float>(larger)));
   is_drawn_ = pieces_->draw();

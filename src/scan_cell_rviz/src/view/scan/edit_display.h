@@ -17,9 +17,9 @@ class FloatProperty;
 
 namespace scan_cell_rviz {
 
-/// The cloud that is cleaned by hand: what stays, and each in a colour of its own what the
-/// automatic stages would take and what the last edit took. Where the computer is too slow for all
-/// points, some are drawn, and the status says how many.
+/// The cloud cleaned by hand: what stays, what each automatic stage would remove and what the last
+/// edit took, each in its own colour. If the computer is too slow for all points, some are drawn,
+/// and the status tells how many.
 class EditDisplay : public rviz::Display, private Ogre::FrameListener {
   Q_OBJECT
 
@@ -27,7 +27,7 @@ class EditDisplay : public rviz::Display, private Ogre::FrameListener {
   EditDisplay();
   ~EditDisplay() override;
 
-  /// What the view shows, as far as this computer draws it; null: it is still being drawn.
+  /// What is drawn, within this computer's limits; null: drawing is not finished.
   EditedViewPtr drawn() const { return is_drawn_ ? view_ : nullptr; }
 
   void update(float wall_dt, float ros_dt) override;
@@ -46,7 +46,7 @@ class EditDisplay : public rviz::Display, private Ogre::FrameListener {
 
   rviz::FloatProperty* size_;
   std::unique_ptr<CloudPieces> pieces_;
-  EditedViewPtr view_;  // that is drawn, or will be
+  EditedViewPtr view_;  // drawn, or to be drawn
   bool is_drawn_ = false;
   std::chrono::steady_clock::time_point picture_began_;
 };

@@ -34,7 +34,7 @@ void EditTool::deactivate() {
   draw({}, false);
 }
 
-/// What cannot be done is said on the page, and begun anew.
+/// Reports a failure on the page, and starts over.
 template <class Act>
 void EditTool::attempt(const Act& act) {
   try {
@@ -49,7 +49,7 @@ int EditTool::processMouseEvent(rviz::ViewportMouseEvent& event) {
   const bool by_left = event.left() || event.leftUp();
   if (!by_left || event.alt()) {
     context_->getViewManager()->getCurrent()->handleMouseEvent(event);
-    setStatus(help());  // in place of what the view says of the left button
+    setStatus(help());  // replaces the view's help for the left button
     return Render;
   }
   attempt([&] {
@@ -76,7 +76,7 @@ int EditTool::processKeyEvent(QKeyEvent* event, rviz::RenderPanel* panel) {
   return Render;
 }
 
-/// In the cloud's frame; none: there is no cloud, or rviz does not know its frame.
+/// The ray in the cloud's frame; none: there is no cloud, or rviz does not know its frame.
 std::optional<Ray> EditTool::ray_of(const rviz::ViewportMouseEvent& event) {
   const EditedViewPtr view = shared_edit_session().view();
   const auto frame = view ? frame_in_view(*context_, view->frame) : std::nullopt;

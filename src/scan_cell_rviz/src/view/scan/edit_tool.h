@@ -13,8 +13,8 @@
 
 namespace scan_cell_rviz {
 
-/// A tool that edits the cloud in view with the left button; all others move the view as ever.
-/// Escape begins anew.
+/// A tool that edits the cloud in view with the left button; the other buttons move the view as
+/// usual. Escape starts over.
 class EditTool : public rviz::Tool {
   Q_OBJECT
 
@@ -36,7 +36,7 @@ class EditTool : public rviz::Tool {
 
   /// Draws lines between places in the cloud's frame.
   void draw(const std::vector<Eigen::Vector3d>& places, bool closed);
-  /// As the page says: deleted, kept, hidden ...
+  /// Deletes, keeps, hides ... as set on the page.
   void edit(const EditShape& shape);
 
  private:
@@ -47,7 +47,7 @@ class EditTool : public rviz::Tool {
   std::unique_ptr<rviz::BillboardLine> line_;
 };
 
-/// Clicks are corners; Return or a double click closes it.
+/// Clicks set the corners; Return or a double click closes the polygon.
 class PolygonTool : public EditTool {
   Q_OBJECT
 
@@ -63,7 +63,7 @@ class PolygonTool : public EditTool {
   static constexpr std::size_t kLeastCorners = 3;
 
   std::vector<Ray> corners_;
-  std::optional<Eigen::Vector3d> place_;  // that gives the depth
+  std::optional<Eigen::Vector3d> place_;  // gives the depth
 };
 
 /// Three clicks on the cloud.
@@ -81,7 +81,7 @@ class PlaneTool : public EditTool {
   std::vector<Eigen::Vector3d> places_;
 };
 
-/// The button is held.
+/// Takes points while the button is held.
 class BrushTool : public EditTool {
   Q_OBJECT
 

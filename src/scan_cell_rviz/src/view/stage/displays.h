@@ -13,7 +13,7 @@ class VisualizationManager;
 
 namespace scan_cell_rviz {
 
-/// Displays that the seat makes where the settings of rviz have none.
+/// Displays that the seat creates if the settings of rviz have none.
 namespace display_names {
 constexpr const char* kBox = "box of the seat";
 constexpr const char* kWaypoint = "waypoint of the seat";
@@ -24,18 +24,18 @@ constexpr const char* kDesignPicks = "new path, picks";
 constexpr const char* kDesign = "new path";
 }  // namespace display_names
 
-/// Those in groups, too.
+/// Visits all displays, also those in groups.
 void for_each_display(const rviz::VisualizationManager& manager,
                       const std::function<void(rviz::Display& display)>& look);
 
-/// The display that is there, or a new one, switched on.
+/// The existing display, or a new one, switched on.
 /// @param type its class
 /// @param name of a new one
-/// @param any one of the type will do, whatever its name
+/// @param any accepts a display of the type with any name
 rviz::Display& display_of(rviz::VisualizationManager& manager, const QString& type,
                           const QString& name, bool any = false);
 
-/// @return null: it has none
+/// @return null: no such property
 rviz::Property* property_of(const rviz::Property& owner, const QString& name);
 
 }  // namespace scan_cell_rviz

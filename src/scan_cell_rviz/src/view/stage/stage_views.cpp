@@ -24,11 +24,11 @@ namespace {
 
 constexpr const char* kGrowing = "growing cloud";
 
-/// A display of the cell's settings or of the seat by its name, or of this package by its class.
+/// A display of the cell's settings or of the seat, by name, or of this package, by class.
 struct Known {
   const char* display;
-  std::vector<Page> pages;     // whose it is; on the first one rviz's own settings hold
-  const char* part = nullptr;  // that is switched in its place: the display takes long to load
+  std::vector<Page> pages;     // where it is shown; on the first page rviz's settings apply
+  const char* part = nullptr;  // property switched instead of the display, which takes long to load
 };
 
 const std::vector<Known>& known() {
@@ -66,7 +66,7 @@ const std::vector<Known>& known() {
   return all;
 }
 
-/// @return null: it is a person's own
+/// @return null: a person's own display
 const Known* known_of(const QString& name) {
   const auto found = std::find_if(known().begin(), known().end(),
                                   [&name](const Known& each) { return name == each.display; });
@@ -93,8 +93,8 @@ void load_view(rviz::VisualizationManager& manager, const rviz::Config& view) {
 
 }  // namespace
 
-/// Displays of this package go by their class: there is one of each. Where several have one name,
-/// each after the first has a number.
+/// Displays of this package are identified by class: there is one of each. Of displays with the
+/// same name, all but the first get a number.
 void StageViews::for_each_switch(
     const std::function<void(const QString& name, rviz::Property& shown)>& look) const {
   QMap<QString, int> times;
@@ -143,7 +143,7 @@ StageViews::Stage StageViews::seen() const {
   return stage;
 }
 
-/// What was not there when a person left the page goes by whose it is.
+/// Displays that did not exist when a person left the page are shown if they belong to it.
 void StageViews::restore(const Stage& stage) {
   for_each_switch([&](const QString& name, rviz::Property& shown) {
     if (scanning_ && name == kGrowing) return;
@@ -163,10 +163,10 @@ bool StageViews::fit(const PlaceInView& place) {
   const double radius = std::max(place.radius, kNearest);
   rviz::ViewController& view = *manager_.getViewManager()->getCurrent();
   rviz::Property* const distance =
-      property_of(view, "Distance");  // of one that turns about a point
+      property_of(view, "Distance");  // of a view that turns about a point
   const QVariant yaw = distance != nullptr ? view.subProp("Yaw")->getValue() : QVariant();
   const QVariant pitch = distance != nullptr ? view.subProp("Pitch")->getValue() : QVariant();
-  view.lookAt(pose->position + pose->orientation * to_ogre(place.middle));  // from where it was
+  view.lookAt(pose->position + pose->orientation * to_ogre(place.middle));  // keeps the direction
   const rviz::RenderPanel& panel = *manager_.getRenderPanel();
   const int width = std::max(1, panel.width()), height = std::max(1, panel.height());
   if (distance != nullptr) {

@@ -20,35 +20,36 @@ class VisualizationManager;
 
 namespace scan_cell_rviz {
 
-/// What the 3D view shows beside each page of the seat, and from where: at first what the page is
-/// about, later on as a person left it there. Displays that are neither in the settings of the
-/// cell nor of this package stay as they are until a person has left a page with them.
+/// The displays and the view beside each page of the seat: at first the subject of the page, later
+/// as a person left it. Displays that are neither in the cell's settings nor of this package stay
+/// as they are until a person leaves a page with them.
 class StageViews {
  public:
   /// @param manager outlives this
   explicit StageViews(rviz::VisualizationManager& manager) : manager_(manager) {}
 
-  /// Keeps what is seen beside the page before, and shows what belongs to this one.
-  /// @param scanning the cloud that grows stays in view: switched off it would begin anew
+  /// Stores the view of the page before, and restores that of this page.
+  /// @param scanning keeps the growing cloud in view: switched off, it would start over
   void show(Page page, bool scanning = false);
 
-  /// Turns no view, but goes as near as shows the whole place.
-  /// @return false if rviz does not know the frame; then nothing changes
+  /// Moves the view, without turning it, so that it just shows the whole place.
+  /// @return false: rviz does not know the frame, and nothing changes
   bool fit(const PlaceInView& place);
 
-  /// Whether a person, or fit(), has chosen from where the page in view is seen.
+  /// Whether a person or fit() has chosen the view of this page.
   bool has_view() const;
 
-  /// To be followed by show().
+  /// show() must follow.
   void load(const rviz::Config& config);
-  void save(rviz::Config config) const;  ///< what was seen beside each page
+  void save(rviz::Config config) const;  ///< views of all pages
 
-  /// Names of the displays that have pages; those of this package go by their class instead.
+  /// Names of the displays that have pages, without those of this package, which are known by
+  /// class.
   static QStringList known_displays();
 
  private:
   struct Stage {
-    QMap<QString, bool> shown;  // displays, by their name
+    QMap<QString, bool> shown;  // by display name
     rviz::Config view;
     bool has_view = false;
   };
@@ -61,8 +62,8 @@ class StageViews {
   rviz::VisualizationManager& manager_;
   QMap<Page, Stage> stages_;
   std::optional<Page> page_;
-  bool has_view_ = false;   // of the page in view, when it came or since it was fitted
-  QString view_when_came_;  // as settings have it
+  bool has_view_ = false;   // of the page in view, from before or by fit()
+  QString view_when_came_;  // as in settings
   bool scanning_ = false;
 };
 

@@ -30,7 +30,7 @@ void check_is_of(const Json& report, const std::string& report_file, const std::
                   "give the path as stretch wrote it, or stretch again");
 }
 
-/// Empty where the report does not say.
+/// Empty: not in the report.
 std::string hash_of(const Json& report, const std::string& group, const std::string& file) {
   const auto found = report.find(group);
   if (found == report.end() || !found->contains(file)) return "";
@@ -39,9 +39,9 @@ std::string hash_of(const Json& report, const std::string& group, const std::str
   return record.at("sha256").get<std::string>();
 }
 
-/// What a person changed by hand; of many edits, the first.
+/// Adds what a person changed by hand, up to kMost edits.
 void add_edits(const Json& edits, std::vector<std::string>& comments) {
-  constexpr std::size_t kMost = 20;  // a program is no place for more
+  constexpr std::size_t kMost = 20;  // more would swamp the program
   const auto done = edits.at("done").get<std::vector<std::string>>();
   for (std::size_t i = 0; i < std::min(done.size(), kMost); ++i)
     comments.push_back("edited by hand: " + done[i]);

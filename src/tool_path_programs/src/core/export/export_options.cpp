@@ -28,7 +28,7 @@ std::string language_names() {
   return names + kNoether;
 }
 
-/// No program, but the path itself for programs that plan with it.
+/// The path itself instead of a program, for planners that read noether's files.
 WrittenProgram noether_yaml(const tool_paths::ToolPath& path, const std::string& file) {
   WrittenProgram written;
   written.files.push_back({fs::path(file).filename().string(), tool_path_to_noether_yaml(path)});

@@ -27,7 +27,7 @@ double metres_per_second(const std::string& unit) {
   return 1;
 }
 
-/// Of the process value that holds the speed.
+/// The index of the process value that holds the speed.
 std::optional<std::size_t> place_of(const std::string& name, const ToolPath& path) {
   const auto& names = path.process_names;
   const auto found = std::find(names.begin(), names.end(), name);
@@ -54,7 +54,7 @@ class Export {
   }
 
  private:
-  /// From a waypoint's orientation to that of the tool.
+  /// Rotation from a waypoint's orientation to the tool's.
   Eigen::Matrix3d turn_to_tool() const {
     if (path_.has_orientation && parameters_.waypoint_z == WaypointZ::kNotGiven)
       throw InvalidParameter("waypoint_z", "not given",
@@ -82,7 +82,7 @@ class Export {
       travel_to(away_from(pose_of(segment.waypoints.back()), parameters_.retract));
   }
 
-  /// The first and the last waypoint of these that touch.
+  /// The first and the last waypoint in contact.
   std::optional<std::pair<std::size_t, std::size_t>> contact_within(std::size_t first,
                                                                     std::size_t last) const {
     const auto touches = [&](std::size_t waypoint) { return in_air_.count(waypoint) == 0; };
@@ -104,9 +104,9 @@ class Export {
     program_.steps.emplace_back(move);
   }
 
-  /// Zones of neighbours do not overlap: no controller can go around two corners at once.
+  /// Limits zones so that neighbours do not overlap: no controller can blend two corners at once.
   double zone_at(const Segment& segment, std::size_t i) const {
-    constexpr double kShare = 0.45;  // of the way to a neighbour; chosen
+    constexpr double kShare = 0.45;  // of the distance to a neighbour; chosen
     const auto place = [&segment](std::size_t k) {
       return segment.waypoints[k].pose.translation();
     };
@@ -143,7 +143,7 @@ class Export {
     return pose;
   }
 
-  /// Against the direction of the tool.
+  /// Moves a pose against the tool's direction.
   static Eigen::Isometry3d away_from(const Eigen::Isometry3d& pose, double distance) {
     return pose * Eigen::Translation3d(0, 0, -distance);
   }

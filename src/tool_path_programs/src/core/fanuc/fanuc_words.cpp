@@ -18,7 +18,7 @@ namespace {
 
 using scan_cell_common::UnusableInput;
 
-constexpr int kDigits = 3;                 // what controllers write themselves
+constexpr int kDigits = 3;                 // as controllers write them
 constexpr double kFastest = 2;             // [m/s]
 constexpr double kMostMillimetres = 1000;  // of a corner region
 
@@ -48,7 +48,7 @@ bool begins_names(char character) {
   return is_of_names(character) && character != '_' && !(character >= '0' && character <= '9');
 }
 
-/// How often an axis turned, from the middle of its first turn.
+/// Number of whole turns of an axis, counted from the middle of the first.
 int turns(double angle) {
   return static_cast<int>(std::round(angle / (2 * M_PI)));
 }

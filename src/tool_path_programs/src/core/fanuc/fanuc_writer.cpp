@@ -21,7 +21,7 @@ namespace {
 using scan_cell_common::InvalidParameter;
 using scan_cell_common::UnusableInput;
 
-constexpr std::size_t kMostLines = 9999;  // what public post-processors put into a program
+constexpr std::size_t kMostLines = 9999;  // in one program, from public post processors
 constexpr std::size_t kFewestLines = 30;
 constexpr std::size_t kLongestName = 36;
 constexpr std::size_t kLongestRemark = 32;
@@ -84,7 +84,7 @@ class Writing {
     frame_notes_.push_back(name + " must be set on the controller to" + all);
   }
 
-  /// The controller takes 32 characters of ASCII a line.
+  /// The controller takes 32 ASCII characters a line.
   void add_remark(const std::string& comment) {
     std::string text;
     for (const char character : comment) {
@@ -103,7 +103,7 @@ class Writing {
     add_joint_move(std::get<JointMove>(program_.steps[i]));
   }
 
-  /// A part that has room for some lines, where the frames are selected.
+  /// A part with room for some lines, with these frames selected.
   Part& part_with(std::size_t lines, const std::pair<int, int>& frames) {
     if (parts_.back().lines.size() + lines + kMostLinesOfFrames > max_lines_) {
       parts_.emplace_back();

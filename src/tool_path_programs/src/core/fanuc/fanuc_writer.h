@@ -6,12 +6,12 @@
 
 namespace tool_path_programs {
 
-/// Whether the settings' dialect says zones as lengths.
+/// Whether the dialect of the settings writes zones as lengths.
 /// @throw scan_cell_common::InvalidParameter if there is no such dialect
 bool fanuc_has_corner_regions(const WriteSettings& settings);
 
-/// @throw scan_cell_common::UnusableInput naming the first waypoint that FANUC TP cannot say
-/// @throw scan_cell_common::InvalidParameter if a setting makes no sense
+/// @throw scan_cell_common::UnusableInput naming the first waypoint that FANUC TP cannot express
+/// @throw scan_cell_common::InvalidParameter if a setting is invalid
 WrittenProgram write_fanuc(const Program& program, const WriteSettings& settings);
 
 }  // namespace tool_path_programs

@@ -36,7 +36,7 @@ FanucPose fanuc_pose(const Eigen::Isometry3d& pose, const std::array<int, 3>& di
   const Eigen::Vector3d angles = sequence.angles(pose.linear()) / kRadian;
   const double r = rounded(angles[0], digits[2]);
   const double p = rounded(angles[1], digits[1]);
-  // W takes what the rounding of R left, as far as it is about W's axis.
+  // W compensates the rounding of R, where it acts about W's axis.
   const Eigen::Matrix3d left =
       about(Eigen::Vector3d::UnitY(), -p) * about(Eigen::Vector3d::UnitZ(), -r) * pose.linear();
   const double w = std::atan2(left(2, 1) - left(1, 2), left(1, 1) + left(2, 2)) / kRadian;

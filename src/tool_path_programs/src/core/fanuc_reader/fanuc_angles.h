@@ -7,7 +7,7 @@
 
 namespace tool_path_programs {
 
-/// Behind the point, of all numbers that controllers write.
+/// Decimals of all numbers that controllers write.
 constexpr int kFanucDigits = 3;
 
 /// Position [mm] and angles [degree] as FANUC writes them: X Y Z W P R, where R = Rz(R) Ry(P)
@@ -16,9 +16,9 @@ using FanucPose = std::array<double, 6>;
 
 Eigen::Isometry3d pose_of(const FanucPose& numbers);
 
-/// Rounded so that the orientation comes back to within the last digit's half in each direction,
-/// also where P is near 90 degrees and the errors of W and R would add up.
-/// @param digits behind the point, of W, P and R
+/// Rounds a pose so that the orientation is read back within half of the last digit in each
+/// direction, also near P = 90 degrees, where the errors of W and R would add up.
+/// @param digits decimals of W, P and R
 FanucPose fanuc_pose(const Eigen::Isometry3d& pose, const std::array<int, 3>& digits);
 
 }  // namespace tool_path_programs

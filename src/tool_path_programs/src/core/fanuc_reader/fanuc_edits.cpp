@@ -48,7 +48,7 @@ class Edits {
     return reader;
   }
 
-  /// Behind the point, at least those that are needed.
+  /// Decimals of the old number, at least those needed.
   static int digits_of(const std::string& text) {
     const std::size_t point = text.find('.');
     if (point == std::string::npos) return kFanucDigits;

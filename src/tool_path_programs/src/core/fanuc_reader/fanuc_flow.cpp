@@ -30,7 +30,7 @@ bool FanucFlow::moves(const std::string& name, const TokenReader& where) {
   if (known != moves_.end()) return known->second;
   if (++depth_ > kDeepestFanucCall)
     where.fail("calls that are nested deeper than 50", "give a program with fewer of them");
-  moves_[program] = false;  // while it is looked at: calls in a circle end
+  moves_[program] = false;  // meanwhile, so that circular calls end
   const bool found =
       std::any_of(program->statements.begin(), program->statements.end(),
                   [&](const FanucStatement& statement) { return moves(statement, *program); });
@@ -52,7 +52,7 @@ bool FanucFlow::moves(const FanucStatement& statement, const FanucProgram& progr
 
 void FanucFlow::check(const FanucProgram& program) {
   std::map<int, std::size_t> labels;
-  std::vector<std::size_t> moving = {0};  // how many of the statements before each
+  std::vector<std::size_t> moving = {0};  // number of moving statements before each
   int depth = 0;
   const auto& statements = program.statements;
   for (std::size_t i = 0; i < statements.size(); ++i) {

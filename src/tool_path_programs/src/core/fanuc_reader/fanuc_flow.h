@@ -12,20 +12,20 @@ namespace tool_path_programs {
 
 constexpr std::size_t kDeepestFanucCall = 50;  // chosen
 
-/// Whether a program's statements are executed in the order in which they stand, as far as that
+/// Checks that a program's statements run in the order in which they are written, where that
 /// matters to its motion.
 class FanucFlow {
  public:
   /// Both must outlive it.
-  /// @param without_motion programs that are known not to move, in lower case
+  /// @param without_motion programs known not to move, in lower case
   FanucFlow(const FanucSource& source, const std::set<std::string>& without_motion);
 
-  /// @throw scan_cell_common::UnusableInput naming file and line of a motion, or a change of
-  /// frames, under a condition, in a loop or between a jump and its label; of a call that nobody
-  /// knows
+  /// @throw scan_cell_common::UnusableInput naming file and line of a motion or a change of frames
+  /// under a condition, in a loop or between a jump and its label, or of a call of an unknown
+  /// program
   void check(const FanucProgram& program);
 
-  /// Whether it moves, changes frames, or calls what does.
+  /// Whether a program moves or changes frames, itself or by what it calls.
   bool moves(const std::string& program, const TokenReader& where);
 
  private:

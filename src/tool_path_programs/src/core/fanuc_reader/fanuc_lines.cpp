@@ -15,9 +15,9 @@
 namespace tool_path_programs {
 namespace {
 
-constexpr int kMostPositions = 32766;  // numbers of positions that controllers take
+constexpr int kMostPositions = 32766;  // position numbers that controllers take
 
-/// Puts lines into programs, and their positions behind those that are there.
+/// Puts lines into programs, and their positions after the existing ones.
 class FanucLines {
  public:
   explicit FanucLines(const ProgramText& text) : text_(text), source_(text.files) {}
@@ -36,7 +36,7 @@ class FanucLines {
     for (const Eigen::Isometry3d& pose : arc.poses) {
       ArcStatement line = end;
       line.put(pieces.target, "P[" + std::to_string(add_position(target, pose)) + "]");
-      // Outputs behind it are of the end.
+      // Outputs after the zone belong to the end of the arc.
       line.put({pieces.zone.begin, pieces.statement.end},
                (stops ? "CNT100" : line.piece(pieces.zone)) + options + "    ;");
       statements.push_back(line.text());
@@ -58,7 +58,7 @@ class FanucLines {
                          [&](const FanucProgram& one) { return one.file == file_; });
   }
 
-  /// Those behind the zone that hold for all of the way.
+  /// The options after the zone that hold for the whole motion.
   std::string options_of_motion(std::size_t step, const ByteRange& range) const {
     const std::string& file = text_.files[file_].text;
     std::istringstream words(file.substr(range.begin, range.end - range.begin));
@@ -71,7 +71,7 @@ class FanucLines {
     return options;
   }
 
-  /// Other axes would go all their way in the first line.
+  /// Refuses other axes: they would move all the way in the first line.
   void check_groups(std::size_t step, const std::string& position) const {
     for (const char* other : {"GP2", "E1=", "E1 ="})
       if (position.find(other) != std::string::npos)
@@ -79,7 +79,7 @@ class FanucLines {
                    "an arc along which other axes may move (" + std::string(other) + ")");
   }
 
-  /// A position, and its bytes.
+  /// A position and its text.
   std::pair<FanucPosition, std::string> position_at(const PoseText& pose) const {
     TokenReader reader = source_.reader(pose.place.file, 0);
     reader.go_to_byte(pose.offset);
@@ -88,7 +88,7 @@ class FanucLines {
                                                                reader.end_of_last() - pose.offset)};
   }
 
-  /// As the position where the arc leads to, with other numbers.
+  /// Copies the position of the arc's end, with another pose.
   /// @return its number
   int add_position(const PoseText& target, const Eigen::Isometry3d& pose) {
     int& last = last_.try_emplace(file_, program().positions.rbegin()->first).first->second;
@@ -121,8 +121,8 @@ class FanucLines {
   const ProgramText& text_;
   const FanucSource source_;
   std::size_t file_ = 0;
-  std::map<std::size_t, int> last_;               // number of a position, of each file
-  std::map<std::size_t, std::string> positions_;  // that are new, of each file
+  std::map<std::size_t, int> last_;               // last position number, of each file
+  std::map<std::size_t, std::string> positions_;  // new positions, of each file
   std::vector<TextEdit> edits_;
 };
 

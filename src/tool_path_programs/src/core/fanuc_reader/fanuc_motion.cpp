@@ -31,7 +31,7 @@ int read_target(TokenReader& reader) {
   return *index;
 }
 
-/// Between the two positions of an arc the line may end.
+/// The line may end between the two positions of an arc.
 void pass_over_line_break(TokenReader& reader) {
   while (!reader.at_end() && reader.at_line_end()) {
     reader.next();
@@ -40,7 +40,7 @@ void pass_over_line_break(TokenReader& reader) {
   }
 }
 
-/// Metres per second in mm/sec, cm/min or inch/min.
+/// Factor to metres per second of mm/sec, cm/min or inch/min.
 double read_unit(TokenReader& reader) {
   const std::string length = lower_case(reader.name());
   if (!reader.accept('/')) reader.fail("a speed by time", "let the move say its speed");

@@ -12,18 +12,18 @@ namespace tool_path_programs {
 /// A motion statement, before its positions are looked up.
 struct FanucMotion {
   MotionKind kind = MotionKind::kLinear;
-  std::optional<int> via;  //!< which P[], of circular motions
+  std::optional<int> via;  //!< index of P[], of circular motions
   ArcText arc;             //!< of circular motions
-  int target = 0;          //!< which P[]
-  double speed = 0;        //!< [m/s], of joint motions share of the axes' own
+  int target = 0;          //!< index of P[]
+  double speed = 0;        //!< [m/s]; of joint motions: share of the axes' speed
   double zone = 0;         //!< [m] CNT is no length: any above 0 is read as kFanucUnknownZone
 };
 
-/// What stands for CNT, whose distance from the pose depends on speeds and accelerations [m].
+/// [m] zone read for CNT: its length depends on speeds and accelerations.
 constexpr double kFanucUnknownZone = 0.001;
 
 /// @param end of the statement, among the tokens
-/// @throw scan_cell_common::UnusableInput naming file and line of what only a running program knows
+/// @throw scan_cell_common::UnusableInput naming file and line of a value known only at run time
 FanucMotion read_fanuc_motion(TokenReader& reader, std::size_t end);
 
 }  // namespace tool_path_programs

@@ -18,7 +18,7 @@ namespace {
 using Kind = FanucStatementKind;
 using scan_cell_common::lower_case;
 
-constexpr std::size_t kMostStatements = 5000000;  // programs that call others, and these others ...
+constexpr std::size_t kMostStatements = 5000000;  // also limits nested calls
 
 std::set<std::string> lower_cases(const std::set<std::string>& names) {
   std::set<std::string> result;
@@ -80,7 +80,7 @@ class Reading {
     const std::string name = reader.name();
     const FanucProgram* called = source_.program(name);
     if (!called) {
-      flow_.moves(name, where);  // refuses what nobody knows
+      flow_.moves(name, where);  // refuses unknown programs
       return;
     }
     if (std::find(calls_.begin(), calls_.end(), called) != calls_.end())
@@ -111,7 +111,7 @@ class Reading {
     selected = static_cast<int>(reader.number().value);
   }
 
-  /// UFRAME[1]=PR[2]: where the frame is, is not known; it must not be elsewhere than before.
+  /// UFRAME[1]=PR[2]: the frame's place is unknown, so it must not change between motions.
   void change_frame(bool user, const TokenReader& where) {
     if (user && !text_.program.frames.empty())
       where.fail("a frame that is moved between motions", "give a program with fixed frames");
@@ -223,7 +223,7 @@ class Reading {
   ProgramText text_;
   std::set<const FanucProgram*> checked_;
   std::vector<const FanucProgram*> calls_;
-  std::map<std::pair<const FanucProgram*, int>, std::size_t> changed_;  // in which line
+  std::map<std::pair<const FanucProgram*, int>, std::size_t> changed_;  // line of the change
   std::map<std::pair<const FanucProgram*, int>, std::size_t> pose_at_;
   std::optional<int> user_;
   std::optional<int> tool_;

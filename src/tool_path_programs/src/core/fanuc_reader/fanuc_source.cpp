@@ -18,7 +18,7 @@ bool at_section(const TokenReader& reader, const char* name) {
   return reader.at_symbol('/') && lower_case(reader.peek_after().text) == name;
 }
 
-/// Goes behind the line that begins a section.
+/// Goes past the line that begins a section.
 void go_to_section(TokenReader& reader, const char* name) {
   while (!reader.at_end() && !at_section(reader, name))
     reader.skip_line();
@@ -27,7 +27,7 @@ void go_to_section(TokenReader& reader, const char* name) {
   reader.skip_line();
 }
 
-/// Over "12:" or ":" at the beginning of a line.
+/// Skips "12:" or ":" at the beginning of a line.
 void pass_over_line_number(TokenReader& reader) {
   if (reader.peek().kind == TokenKind::kNumber && reader.peek_after().text == ":") reader.next();
   reader.accept(':');
@@ -47,7 +47,7 @@ std::optional<int> read_frame_number(TokenReader& reader) {
   return static_cast<int>(reader.number().value);
 }
 
-/// None where asterisks stand for a number that was never taught.
+/// none: asterisks, for a number that was never taught.
 std::optional<NumberText> read_value(TokenReader& reader) {
   reader.expect('=');
   if (!reader.at_symbol('*')) return reader.number();

@@ -6,17 +6,17 @@
 
 namespace tool_path_programs {
 
-/// Whether a line without meaning for the controller begins here: "!", "//" or "--".
+/// Whether a line that the controller ignores begins here: "!", "//" or "--".
 bool is_fanuc_remark(const TokenReader& reader);
 
-/// What the statement that begins here is. Goes nowhere.
+/// The kind of the statement that begins here. The reader does not move.
 FanucStatement fanuc_statement(TokenReader reader);
 
-/// What a statement says of other statements: jumps to labels, calls.
+/// Other statements that a statement refers to: jumps to labels, calls.
 struct FanucBranches {
   std::vector<int> labels;
   std::vector<std::string> calls;
-  bool computed = false;  //!< a label or program that only a running program knows
+  bool computed = false;  //!< a label or program is known only at run time
 };
 
 /// @param end of the statement, among the tokens

@@ -6,7 +6,7 @@
 
 namespace tool_path_programs {
 
-/// G-code of machines and of robots that take it: dialects xyzabc, xyzac, xyzbc and xyz.
+/// G-code for machines, and for robots that take it: dialects xyzabc, xyzac, xyzbc and xyz.
 const Language& gcode();
 
 }  // namespace tool_path_programs

@@ -21,7 +21,7 @@ using scan_cell_common::UnusableInput;
 constexpr double kSameTurn = 0.001 * M_PI / 180;
 constexpr double kFeedStep = 1e-6 / 60;      // [m/s] 0.001 mm/min
 constexpr double kSmallestTolerance = 1e-6;  // [m]
-constexpr int kMostOutputs = 64;             // of LinuxCNC's motion
+constexpr int kMostOutputs = 64;             // from LinuxCNC
 
 bool is_number(const std::string& text, int below) {
   return !text.empty() && text.size() < 6 &&

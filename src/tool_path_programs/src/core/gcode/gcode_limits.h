@@ -8,13 +8,13 @@ namespace tool_path_programs {
 
 class GcodeDialect;
 
-/// Makes sure that G-code can say a program.
-/// @throw scan_cell_common::UnusableInput naming the first waypoint that it cannot say, and the
+/// Checks that G-code can express a program.
+/// @throw scan_cell_common::UnusableInput naming the first waypoint that it cannot express, and the
 /// cure
 void check_for_gcode(const Program& program, const WriteSettings& settings,
                      const GcodeDialect& dialect);
 
-/// Digits behind the point of feeds [mm/min] and of tolerances [mm].
+/// Decimals of feeds [mm/min] and tolerances [mm].
 constexpr int kGcodeFeedDigits = 3;
 constexpr int kGcodeToleranceDigits = 4;
 

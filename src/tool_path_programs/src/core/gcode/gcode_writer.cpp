@@ -19,7 +19,7 @@ namespace {
 
 constexpr int kMillimetreDigits = 4;
 constexpr int kDegreeDigits = 5;
-constexpr double kPerMinute = 60e3;  // [mm/min] in m/s
+constexpr double kPerMinute = 60e3;  // 1 m/s in mm/min
 
 class Writer {
  public:
@@ -120,7 +120,7 @@ class Writer {
     if (known_notes_.insert(line).second) notes_.push_back(line);
   }
 
-  /// Brackets would end it.
+  /// Removes brackets, which would end the comment.
   static std::string comment(std::string line) {
     for (char& character : line)
       if (character == '\n' || character == '\r') character = ' ';

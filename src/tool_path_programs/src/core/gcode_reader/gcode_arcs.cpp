@@ -9,10 +9,10 @@ namespace tool_path_programs {
 namespace {
 
 constexpr double kFlat = 1e-3;  // [mm] out of the plane, or between its two ends
-// Of LinuxCNC for programs in mm: ends may be so far from one circle.
+// From LinuxCNC for programs in mm: how far the ends may be from one circle.
 constexpr double kRadiusDifference = 0.01;  // [mm]
 
-/// In the plane: first and second axis so that the normal points at the viewer.
+/// Coordinates in the plane; the axes are ordered so that the normal points at the viewer.
 Eigen::Vector2d flat(const Eigen::Vector3d& point, Eigen::Index normal) {
   return {point[(normal + 1) % 3], point[(normal + 2) % 3]};
 }

@@ -7,7 +7,7 @@
 
 namespace tool_path_programs {
 
-/// An arc as G-code gives it, in the plane across an axis.
+/// An arc as G-code gives it, in the plane normal to an axis.
 struct GcodeArc {
   Eigen::Index normal = 2;                           //!< of X Y Z: that of G17 is Z
   bool clockwise = false;                            //!< G2, seen against the normal
@@ -17,8 +17,8 @@ struct GcodeArc {
   std::optional<double> radius;                      //!< R [mm]; below 0: the longer way
 };
 
-/// The place in the middle of an arc.
-/// @return none where there is no such arc, it is a whole circle or leaves its plane
+/// The point in the middle of an arc.
+/// @return none if there is no such arc, it is a whole circle, or it leaves its plane
 std::optional<Eigen::Vector3d> middle_of(const GcodeArc& arc);
 
 }  // namespace tool_path_programs

@@ -13,7 +13,7 @@ namespace tool_path_programs {
 namespace {
 
 using scan_cell_common::kDegrees;
-constexpr double kUpright = 1e-9;  // sine of the spindle's tilt below which C may be anything
+constexpr double kUpright = 1e-9;  // sine of the spindle's tilt below which C is arbitrary
 
 const scan_cell_common::EulerSequence& yaw_pitch_roll() {
   static const scan_cell_common::EulerSequence sequence("zyx");
@@ -30,12 +30,12 @@ Eigen::Matrix3d turned(const Eigen::Vector3d& degrees, const std::string& dialec
   return Eigen::Matrix3d::Identity();
 }
 
-/// From the spindle's frame, z up, to the tool's, z into the part.
+/// Rotation from the spindle's frame, z up, to the tool's, z into the part.
 Eigen::Matrix3d into_part() {
   return Eigen::Vector3d(1, -1, -1).asDiagonal();
 }
 
-/// The same angle [degrees], by whole turns the nearest to another.
+/// The same angle [degrees], shifted by whole turns to be nearest to another.
 double near(double angle, double to) {
   return std::isfinite(to) ? angle + 360 * std::round((to - angle) / 360) : angle;
 }
@@ -71,7 +71,7 @@ Eigen::Isometry3d GcodeDialect::pose(const GcodeAxes& axes) const {
   return pose;
 }
 
-/// All A B C [degrees] of a rotation, up to whole turns.
+/// All A B C [degrees] for a rotation, up to whole turns.
 std::vector<Eigen::Vector3d> GcodeDialect::solutions(const Eigen::Matrix3d& rotation,
                                                      const GcodeAxes& before) const {
   if (name_ == "xyz") return {Eigen::Vector3d::Zero()};

@@ -11,18 +11,18 @@ namespace tool_path_programs {
 /// Values of axes X Y Z A B C: [mm] and [degrees]; NaN where not known.
 using GcodeAxes = Eigen::Matrix<double, 6, 1>;
 
-/// Which axes a dialect has, and what they say of the tool.
+/// The axes of a dialect, and how they give the tool's orientation.
 class GcodeDialect {
  public:
   /// @param name xyzabc, xyzac, xyzbc, xyz; empty: the first
-  /// @throw scan_cell_common::InvalidParameter if it is none of them
+  /// @throw scan_cell_common::InvalidParameter if there is no such dialect
   explicit GcodeDialect(const std::string& name);
 
   const std::string& name() const { return name_; }
-  const std::vector<Eigen::Index>& axes() const { return axes_; }  //!< that it has, of X Y Z A B C
+  const std::vector<Eigen::Index>& axes() const { return axes_; }  //!< of X Y Z A B C
   bool has(Eigen::Index axis) const;
 
-  /// Whether it says how the tool is turned about its own axis.
+  /// Whether the axes give the turn of the tool about its own axis.
   bool says_orientations() const { return name_ == "xyzabc"; }
 
   /// The tip's pose [m], its z axis into the part.
@@ -33,7 +33,8 @@ class GcodeDialect {
   /// that turns the part goes the other way). xyz: the spindle stands along z.
   Eigen::Isometry3d pose(const GcodeAxes& axes) const;
 
-  /// Of all axes for a pose those nearest to `before`: rotary axes do not jump by whole turns.
+  /// The axes for a pose. Of all solutions the one nearest to `before`: rotary axes do not jump by
+  /// whole turns.
   GcodeAxes axes(const Eigen::Isometry3d& pose, const GcodeAxes& before) const;
 
  private:

@@ -44,7 +44,7 @@ class Lines {
       add_word();
   }
 
-  /// And comments.
+  /// Skips blanks and comments.
   void pass_blanks() {
     while (at_ < end_) {
       const char character = text_[at_];
@@ -97,7 +97,7 @@ class Lines {
     at_ = end;
   }
 
-  /// O1000 alone, as controllers name programs.
+  /// O1000 alone on a line, as controllers name programs.
   void check_program_number() {
     pass_blanks();
     if (at_ < end_ || !block_.words.empty())

@@ -24,17 +24,17 @@ struct GcodeBlock {
   std::size_t line = 1;          //!< from 1
   bool may_be_skipped = false;   //!< begins with /
 
-  /// The last one of that letter; null: none.
+  /// The last word with that letter; null: none.
   const GcodeWord* find(char letter) const;
 };
 
-/// From a block's first word to its last.
+/// The bytes from a block's first word to its last.
 ByteRange gcode_range(const GcodeBlock& block);
 
-/// The lines of a program that hold words. Comments in brackets and behind ; are left out, and so
-/// are lines of %, program numbers and lines that set parameters.
-/// @throw scan_cell_common::UnusableInput naming file and line of what is none, such as a number
-/// that is computed or a subroutine
+/// The lines of a program that hold words. Comments in brackets and after ; are left out, and so
+/// are lines with %, program numbers and lines that set parameters.
+/// @throw scan_cell_common::UnusableInput naming file and line of anything else, such as a computed
+/// number or a subroutine
 std::vector<GcodeBlock> gcode_blocks(const SourceFile& file);
 
 }  // namespace tool_path_programs

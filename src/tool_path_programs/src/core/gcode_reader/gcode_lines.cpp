@@ -19,7 +19,7 @@ bool is_motion(const GcodeWord& word) {
          word.value == static_cast<int>(word.value);
 }
 
-/// Goes through a program as the machine does: what a line leaves out is as it was before.
+/// Follows a program as the machine does: what a line leaves out stays as it was.
 class GcodeLines {
  public:
   GcodeLines(const ProgramText& text, const std::vector<ArcLines>& arcs)
@@ -43,7 +43,7 @@ class GcodeLines {
   }
 
  private:
-  /// The G2 of an arc before it, which is gone, held on.
+  /// Writes the motion word that an earlier arc, now removed, left in force.
   void say_motion(const GcodeBlock& block, const GcodeAction& action) {
     const bool is_said = std::any_of(block.words.begin(), block.words.end(), is_motion);
     if (!is_said && action.kind != GcodeAction::Kind::kMove) return;
@@ -53,7 +53,7 @@ class GcodeLines {
     changed_ = false;
   }
 
-  /// All but the places stays on the first line.
+  /// The first line keeps all words but the coordinates.
   void say_lines(const GcodeBlock& block, const GcodeAxes& to, const ArcLines& arc) {
     std::vector<std::string> statements;
     GcodeAxes axes = at_;
@@ -68,7 +68,7 @@ class GcodeLines {
     changed_ = true;
   }
 
-  /// As they are written; the others, too, which the lines before have left elsewhere.
+  /// The end's words as written, and those of axes that the lines before left elsewhere.
   std::string end_words(const GcodeBlock& block, const GcodeAxes& to, std::size_t step) const {
     const ArcStatement statement(text_, step);
     std::string words;
@@ -118,7 +118,7 @@ class GcodeLines {
   GcodeMachine machine_;
   std::map<std::size_t, const ArcLines*> arcs_;  // by line
   GcodeAxes at_ = GcodeAxes::Zero();
-  bool changed_ = false;  // the motion that holds: G1 in place of an arc's
+  bool changed_ = false;  // the motion word in force: G1 in place of an arc's
   std::vector<TextEdit> edits_;
 };
 

@@ -16,7 +16,7 @@ namespace {
 constexpr double kNotKnown = std::numeric_limits<double>::quiet_NaN();
 constexpr double kFarthest = 1e6;  // [mm] or [degrees]
 
-/// G59.1 as 591.
+/// Ten times the number: 591 for G59.1.
 int code_of(const GcodeWord& word) {
   return static_cast<int>(std::lround(10 * std::clamp(word.value, -1000.0, 1000.0)));
 }
@@ -25,8 +25,8 @@ std::string name_of(const GcodeWord& word) {
   return word.letter + shortest(word.value, 3);
 }
 
-/// Of functions that neither move nor change what positions are of: ends of modes that are refused,
-/// lengths of tools, feed and spindle modes, planes of returns.
+/// Whether a function neither moves nor changes the frame of positions: ends of modes that are
+/// refused, tool lengths, feed and spindle modes, return planes.
 bool is_without_effect(int code) {
   const std::set<int> codes = {400, 430, 434, 490, 690, 911, 940, 960, 970, 980, 990};
   return codes.count(code) != 0;

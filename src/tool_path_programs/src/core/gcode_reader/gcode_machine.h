@@ -24,8 +24,7 @@ struct GcodeAction {
   enum class Kind {
     kNone,
     kMove,        // to a pose
-    kIncomplete,  // to values of some axes, the others being unknown, or to the machine's own
-                  // places
+    kIncomplete,  // to some axes only while others are unknown, or to the machine's own places
   };
   Kind kind = Kind::kNone;
   int motion = 0;                      // 0 to 3, of G0 to G3
@@ -34,10 +33,10 @@ struct GcodeAction {
   std::vector<double> values;          // of kIncomplete, as written
 };
 
-/// A machine that reads G-code: all that stays as it is until a word changes it.
+/// A machine that reads G-code, with its modal state: what stays until a word changes it.
 class GcodeMachine {
  public:
-  /// @param calls_without_motion M functions that are known not to move, such as M101
+  /// @param calls_without_motion M functions known not to move, such as M101
   GcodeMachine(const SourceFile& file, const GcodeDialect& dialect,
                const std::set<std::string>& calls_without_motion);
 
@@ -45,8 +44,8 @@ class GcodeMachine {
   GcodeAction run(const GcodeBlock& block);
 
   bool has_ended() const { return ended_; }                 //!< M2, M30
-  double unit() const { return inches_ ? kGcodeInch : 1; }  //!< [mm] of the words
-  int digits(Eigen::Index axis) const;                      //!< that its words need
+  double unit() const { return inches_ ? kGcodeInch : 1; }  //!< of the words, in mm
+  int digits(Eigen::Index axis) const;                      //!< decimals that its words need
   double feed() const { return feed_; }                     //!< [mm/min]; NaN: not given
   double tolerance() const { return tolerance_; }           //!< [mm] of G64 P; 0: none
   const std::string& user() const { return user_; }         //!< G54; empty: none chosen
@@ -83,7 +82,7 @@ class GcodeMachine {
   bool ended_ = false;
 };
 
-/// Without what M functions call: they were found harmless when the program was read.
+/// Removes calls by M functions: they were found harmless when the program was read.
 GcodeBlock gcode_without_calls(GcodeBlock block);
 
 }  // namespace tool_path_programs

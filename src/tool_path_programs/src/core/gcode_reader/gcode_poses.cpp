@@ -12,8 +12,8 @@
 namespace tool_path_programs {
 namespace {
 
-/// Goes through a program as the machine does, before and after the change: an axis that a line
-/// does not name is where an earlier line left it, and gets a word where that is elsewhere now.
+/// Follows a program as the machine does, before and after the change. An axis that a line does not
+/// name is where an earlier line left it; if that changed, the axis gets a word.
 class Rewriting {
  public:
   Rewriting(const ProgramText& text, const std::vector<Eigen::Isometry3d>& poses)
@@ -34,7 +34,7 @@ class Rewriting {
   }
 
  private:
-  /// Lines that stay as they are.
+  /// For lines that stay as they are.
   void pass(const GcodeBlock& block) {
     const bool own_places =
         std::any_of(block.words.begin(), block.words.end(), [](const GcodeWord& word) {
@@ -101,7 +101,7 @@ class Rewriting {
   }
 
   static constexpr double kSame = 1e-6;      // [mm], [degrees]
-  static constexpr double kSamePose = 1e-9;  // [m], and of a rotation's matrix
+  static constexpr double kSamePose = 1e-9;  // [m], and elements of a rotation matrix
   const ProgramText& text_;
   const std::vector<Eigen::Isometry3d>& poses_;
   const GcodeDialect dialect_;
@@ -109,7 +109,7 @@ class Rewriting {
   GcodeMachine machine_;
   GcodeAxes said_;  // where the axes are in the changed program
   std::size_t pose_ = 0;
-  bool moved_ = false;  // the pose before
+  bool moved_ = false;  // the pose before moved
   std::vector<TextEdit> edits_;
 };
 

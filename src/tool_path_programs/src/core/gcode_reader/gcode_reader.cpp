@@ -13,9 +13,9 @@
 namespace tool_path_programs {
 namespace {
 
-constexpr double kPerMinute = 1e-3 / 60;  // [m/s] in mm/min
+constexpr double kPerMinute = 1e-3 / 60;  // 1 mm/min in m/s
 
-/// Of the axes that stand in a program, where nobody says the dialect.
+/// The dialect that has the axes of a program, if none is given.
 std::string dialect_of(const std::vector<GcodeBlock>& blocks, const SourceFile& file) {
   std::set<char> rotary;
   for (const GcodeBlock& block : blocks)
@@ -30,7 +30,7 @@ std::string dialect_of(const std::vector<GcodeBlock>& blocks, const SourceFile& 
                                         "give A B C, A C, B C or none, or say the dialect");
 }
 
-/// M functions that stop behind the move of their line.
+/// Whether the block has an M function that stops after the move.
 bool has_end(const GcodeBlock& block) {
   const std::set<double> ends = {0, 1, 2, 30, 60};
   return std::any_of(block.words.begin(), block.words.end(), [&](const GcodeWord& word) {
@@ -95,7 +95,7 @@ class Reader {
     before_ = move.pose;
   }
 
-  /// The tool turns evenly along an arc.
+  /// The pose at the via: the tool turns evenly along an arc.
   Eigen::Isometry3d via_of(const Eigen::Vector3d& position, const Eigen::Isometry3d& to) const {
     Eigen::Isometry3d via = to;
     via.translation() = 1e-3 * position;
@@ -134,7 +134,7 @@ ProgramText read_gcode(const std::vector<SourceFile>& files, const ReadSettings&
   if (files.empty())
     throw scan_cell_common::UnusableInput("G-code program", "no file", "give the main file");
   const auto stem = [](const SourceFile& file) { return std::filesystem::path(file.name).stem(); };
-  for (const SourceFile& file : files)  // of the same name: another program that lies beside it
+  for (const SourceFile& file : files)  // same stem: another program found beside it
     if (stem(file) != stem(files[0]))
       throw scan_cell_common::UnusableInput(file.name, "a second file of a G-code program",
                                             "subroutines are not followed: write them out");

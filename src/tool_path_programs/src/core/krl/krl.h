@@ -6,8 +6,8 @@
 
 namespace tool_path_programs {
 
-/// KUKA's language: .src with .dat. Dialects krc4, krc2. A speed that a program leaves to the
-/// controller is read as Move's own; fly-by that is not a length (C_PTP, C_VEL, C_ORI) as zone 0.
+/// KUKA's language: .src with .dat. Dialects krc4, krc2. A speed left to the controller is read as
+/// the default of Move; fly-by that is not a length (C_PTP, C_VEL, C_ORI) as zone 0.
 const Language& krl();
 
 }  // namespace tool_path_programs

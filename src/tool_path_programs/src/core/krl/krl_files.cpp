@@ -8,7 +8,7 @@
 namespace tool_path_programs {
 namespace {
 
-constexpr std::size_t kFrameLines = 5;  // of every file: &ACCESS, &REL, &PARAM, DEF, END
+constexpr std::size_t kFrameLines = 5;  // in every file: &ACCESS, &REL, &PARAM, DEF, END
 
 std::size_t count(const std::vector<Block>& blocks) {
   std::size_t lines = 0;

@@ -10,14 +10,14 @@
 
 namespace tool_path_programs {
 
-/// A program's text before it is divided into files.
+/// A program's text before it is split into files.
 struct KrlRoutine {
   std::string name;
   std::vector<std::string> head;  //!< of the main file: comments, initialisation, frames
-  std::vector<Block> blocks;      //!< in their order
+  std::vector<Block> blocks;      //!< in order
 };
 
-/// One file; where that is too long, a main one that calls name_1, name_2 ... one after the other.
+/// One file; if that is too long, a main file that calls name_1, name_2, ... in turn.
 /// @throw scan_cell_common::InvalidParameter if a block or the main file does not fit max_lines
 std::vector<SourceFile> krl_files(const KrlRoutine& routine, std::size_t max_lines);
 

@@ -21,7 +21,7 @@ namespace {
 using scan_cell_common::UnusableInput;
 
 constexpr double kFastest = 3;              // [m/s] of $VEL.CP
-constexpr std::size_t kCommentWidth = 120;  // longer ones go on in the next line
+constexpr std::size_t kCommentWidth = 120;  // longer ones are wrapped
 constexpr int kSpeedDigits = 7;             // $VEL.CP [m/s]: 0.0001 mm/s
 constexpr int kZoneDigits = 4;              // $APO.CDIS [mm]
 
@@ -85,8 +85,8 @@ class Writer {
     last_ = nullptr;
   }
 
-  /// Behind a fly-by, the controller switches where the next motion begins, in the middle of the
-  /// arc; behind a stop, when the tool stands at the pose.
+  /// After a fly-by, the controller switches where the next motion begins, in the middle of the
+  /// zone; after a stop, when the tool is at the pose.
   void add(const SetOutput& output) {
     const std::string statement =
         fmt::format("$OUT[{}]={}", krl_output_number(output.output), output.on ? "TRUE" : "FALSE");

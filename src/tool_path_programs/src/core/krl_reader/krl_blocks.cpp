@@ -17,7 +17,7 @@ int depth_of(const std::string& word) {
 
 }  // namespace
 
-/// What happens under a condition, or several times, must not matter for poses.
+/// Skips a block that may run never or several times: it must not affect poses.
 void KrlRun::skip_block() {
   const std::string begin = reader().where();
   for (int depth = 0; !reader().at_end(); reader().skip_line()) {
@@ -54,7 +54,7 @@ void KrlRun::check_line_of_block() {
   check_calls_of_line();
 }
 
-/// None of the routines that the rest of the line calls may move.
+/// Checks that no routine called in the rest of the line moves.
 void KrlRun::check_calls_of_line() {
   TokenReader line = reader();
   while (!line.at_line_end()) {

@@ -18,8 +18,8 @@ bool same_turn(const Eigen::Isometry3d& one, const Eigen::Isometry3d& two) {
   return (one.linear() - two.linear()).cwiseAbs().maxCoeff() <= kSame;
 }
 
-/// For each pose, where the motion before the first one to it ended: what it leaves out is taken
-/// from there.
+/// For each pose, where the motion before the first one to it ended: an incomplete literal takes
+/// the missing numbers from there.
 std::vector<std::optional<std::size_t>> poses_before(const ProgramText& text) {
   std::vector<std::optional<std::size_t>> before(text.poses.size());
   std::vector<bool> known(text.poses.size(), false);
@@ -76,7 +76,7 @@ class Literal {
   const PoseText& pose_;
   const std::string& source_;
   std::map<std::string, NumberText> numbers_;
-  std::size_t behind_ = 0;  // the last of X Y Z A B C
+  std::size_t behind_ = 0;  // end of the last of X Y Z A B C
 };
 
 }  // namespace

@@ -35,8 +35,8 @@ KrlAggregate aggregate_at(const ProgramText& text, const PoseText& pose) {
   return read_aggregate(reader);
 }
 
-/// What stands in braces, with those of the six numbers that it leaves out: it meant what the
-/// motion before it left.
+/// The content of braces with the missing ones of the six numbers added: they come from the end of
+/// the motion before.
 std::string completed(const ProgramText& text, std::size_t step, const std::string& literal,
                       const KrlAggregate& target, const Eigen::Isometry3d& pose) {
   if (literal.empty() || literal.back() != '}')
@@ -49,7 +49,7 @@ std::string completed(const ProgramText& text, std::size_t step, const std::stri
   return literal.substr(0, literal.size() - 1) + missing + "}";
 }
 
-/// External axes would go all their way in the last line.
+/// Refuses external axes: they would move all the way in the last line.
 void check_external_axes(const ProgramText& text, std::size_t step, const KrlAggregate& target) {
   const std::size_t before = move_before(text, step).value();
   const KrlAggregate start = aggregate_at(text, text.poses[*text.steps[before].pose]);

@@ -16,7 +16,7 @@ using scan_cell_common::UnusableInput;
 
 const char* const kGiveLiteral = "only poses that stand in the files as numbers can be adapted";
 
-/// Two frames are the same where their names and places are, to the last bit.
+/// Two frames are the same if names and places are identical to the last bit.
 std::string key_of(const Frame& frame) {
   std::string key = frame.name + '\n';
   if (frame.pose)
@@ -37,7 +37,7 @@ JointMove joints_of(const KrlAggregate& axes) {
   return move;
 }
 
-/// $CONFIG.DAT, which is of the robot and not of the program, says where they are.
+/// These positions are in $CONFIG.DAT, which belongs to the robot and not to the program.
 bool is_home(const std::string& name) {
   return name.rfind("xhome", 0) == 0 || name == "$h_pos";
 }
@@ -116,7 +116,7 @@ KrlMotions::Target KrlMotions::named_target(TokenReader& reader) {
   return found;
 }
 
-/// C_DIS, C_PTP and WITH, which hold for this motion alone; CA.
+/// Reads C_DIS, C_PTP and WITH, which hold for this motion only, and CA.
 void KrlMotions::read_behind(TokenReader& reader, bool& flies) {
   while (!reader.at_line_end()) {
     if (reader.accept(',')) {
@@ -175,7 +175,7 @@ void KrlMotions::add_waiting_outputs() {
   waiting_.clear();
 }
 
-/// What a literal leaves out stays as it was: it is taken from where the last motion ended.
+/// Adds a literal; the numbers that it leaves out come from the end of the last motion.
 std::size_t KrlMotions::pose_text(const KrlAggregate& literal, std::size_t frames,
                                   const Place& place) {
   const std::string where = to_string(place, text_.files);

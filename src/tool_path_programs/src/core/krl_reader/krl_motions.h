@@ -10,28 +10,28 @@
 
 namespace tool_path_programs {
 
-/// Collects what a program does, motion by motion.
+/// Collects the steps of a program, motion by motion.
 class KrlMotions {
  public:
   KrlMotions(ProgramText& text, const KrlVariables& variables, KrlSetter& setter)
       : text_(text), variables_(variables), setter_(setter) {}
 
-  /// From behind the word, such as lin, to the end of the line.
+  /// Reads a motion from after its keyword, such as lin, to the end of the line.
   void move(const std::string& word, const Place& place, TokenReader& reader);
 
   void set_output(const SetOutput& output, const Place& place);
 
-  /// A TRIGGER, whatever it does, counts from the ends of the next motion.
+  /// Notes a TRIGGER, whatever it does: it counts from the ends of the next motion.
   void trigger_at_next() { triggered_ = true; }
 
-  /// An output that a TRIGGER sets at the end of the next motion.
+  /// Adds an output that a TRIGGER sets at the end of the next motion.
   void set_output_behind_next(const SetOutput& output, const Place& place);
 
  private:
-  /// What stands behind LIN: a pose, or what is none.
+  /// The target after LIN: a pose, or something else.
   struct Target {
     std::optional<KrlAggregate> pose;
-    std::optional<JointMove> joints;  // empty where only the controller knows them
+    std::optional<JointMove> joints;  // empty: known only to the controller
     bool stays = false;               // $POS_ACT: no motion
   };
 
@@ -51,10 +51,11 @@ class KrlMotions {
   std::map<std::pair<std::size_t, std::size_t>, std::size_t> poses_;  // by file and offset
   std::map<std::string, std::size_t> frames_;
   std::vector<std::pair<SetOutput, Place>> waiting_;
-  std::optional<std::size_t> last_pose_;  // where the last motion ended; none: only axes are known
+  std::optional<std::size_t> last_pose_;  // where the last motion ended; none: no pose known
   std::size_t last_frames_ = 0;
-  bool triggered_ = false;               // the next motion triggers something
-  std::optional<bool> turns_otherwise_;  // the tool along arcs; none: not looked at yet
+  bool triggered_ = false;  // the next motion triggers something
+  std::optional<bool>
+      turns_otherwise_;  // the program sets how the tool turns on arcs; none: unknown
 };
 
 }  // namespace tool_path_programs

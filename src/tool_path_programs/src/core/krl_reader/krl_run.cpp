@@ -21,7 +21,7 @@ const std::set<std::string>& words_that_set() {
   return words;
 }
 
-/// Of the controller and its basic packages.
+/// Routines of the controller and its basic packages.
 std::set<std::string> known_without_motion() {
   return {"ir_stopm", "pulse",  "cwrite", "cread",   "swrite",   "sread",   "copen",
           "cclose",   "cioctl", "sinec",  "cast_to", "strclear", "strcopy", "p00"};
@@ -188,7 +188,7 @@ void KrlRun::call(const std::string& name) {
   enter(*routine);
 }
 
-/// Only the controller knows what variables hold that a routine has changed.
+/// Arguments that a routine changed are known only to the controller.
 void KrlRun::give_back_arguments() {
   while (!reader().at_line_end()) {
     const Place place = reader().place();
@@ -220,7 +220,7 @@ void KrlRun::assignment() {
   if (!name.empty()) variables_.assign(name, value);
 }
 
-/// $OUT[5]=TRUE; none where only the controller knows which, or to what.
+/// $OUT[5]=TRUE; none if the output or its value is known only to the controller.
 std::optional<SetOutput> KrlRun::read_output() {
   reader().next();
   if (!reader().accept('[') || reader().peek().kind != TokenKind::kNumber) return std::nullopt;
@@ -236,8 +236,8 @@ void KrlRun::output() {
   if (const auto output = read_output()) motions_.set_output(*output, place);
 }
 
-/// TRIGGER WHEN DISTANCE=0 DELAY=0 DO $OUT[5]=TRUE: 0 is where the next motion begins, 1 where it
-/// ends; WHEN PATH counts from its end.
+/// TRIGGER WHEN DISTANCE=0 DELAY=0 DO $OUT[5]=TRUE: 0 is the beginning of the next motion, 1 its
+/// end; WHEN PATH counts from its end.
 void KrlRun::trigger() {
   const Place place = reader().place();
   motions_.trigger_at_next();
@@ -255,7 +255,7 @@ void KrlRun::trigger() {
   if (output && !at_begin) motions_.set_output_behind_next(*output, place);
 }
 
-/// A routine that is called at any time must not move.
+/// A routine that may be called at any time must not move.
 void KrlRun::interrupt() {
   check_calls_of_line();
 }

@@ -12,7 +12,7 @@
 
 namespace tool_path_programs {
 
-/// Goes through a program in the order of its motion, statement by statement.
+/// Follows a program in the order of its motion, statement by statement.
 class KrlRun {
  public:
   KrlRun(const KrlSource& source, const ReadSettings& known, ProgramText& text);

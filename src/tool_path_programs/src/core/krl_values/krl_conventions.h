@@ -17,7 +17,7 @@ constexpr std::array<const char*, 6> kKrlFields = {"X", "Y", "Z", "A", "B", "C"}
 Eigen::Isometry3d krl_pose(const KrlNumbers& numbers);
 KrlNumbers krl_numbers(const Eigen::Isometry3d& pose);
 
-/// Behind the point of each of them: lengths 1e-4 mm, angles 1e-5 degree.
+/// Decimals of each number: lengths 1e-4 mm, angles 1e-5 degree.
 inline int krl_digits(std::size_t field) {
   return field < 3 ? 4 : 5;
 }

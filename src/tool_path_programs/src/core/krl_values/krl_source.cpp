@@ -87,7 +87,7 @@ void KrlSource::read_head(TokenReader& at, std::size_t file) {
   local_.insert({{file, lower_case(name)}, routine.get()});
   global_.insert({lower_case(name), routine.get()});
   routines_.push_back(std::move(routine));
-  at.go_to(routines_.back()->begin - 1);  // the end of the head's line, which the caller skips
+  at.go_to(routines_.back()->begin - 1);  // the end of the routine's head, which the caller skips
 }
 
 void KrlSource::find_motion(KrlRoutineText& routine) {
@@ -103,7 +103,7 @@ void KrlSource::find_motion(KrlRoutineText& routine) {
   }
 }
 
-/// A routine moves where one that it calls does.
+/// Marks routines that move by a routine that they call.
 void KrlSource::spread_motion() {
   std::map<std::string, std::vector<KrlRoutineText*>> callers;
   std::vector<KrlRoutineText*> moving;
@@ -132,7 +132,7 @@ void KrlSource::read_data(std::size_t file) {
     read_declaration(at, file);
 }
 
-/// DECL GLOBAL E6POS XP1={X 1,...}, or XP1={...} of an array's element.
+/// DECL GLOBAL E6POS XP1={X 1,...}, or XP1={...} for an array's element.
 void KrlSource::read_declaration(TokenReader& at, std::size_t file) {
   if (at.peek().kind != TokenKind::kName || at.at_name("ext") || at.at_name("extfct")) return;
   bool global = scopes_[file] == "$config/";

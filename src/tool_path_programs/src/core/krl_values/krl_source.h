@@ -14,16 +14,16 @@ namespace tool_path_programs {
 
 /// A DEF or DEFFCT.
 struct KrlRoutineText {
-  std::string name;                     // as it is written
-  std::size_t file = 0;                 // which of the files
-  std::size_t begin = 0;                // of its first statement among the file's tokens
+  std::string name;                     // as written
+  std::size_t file = 0;                 // index of the file
+  std::size_t begin = 0;                // first statement, among the file's tokens
   std::vector<std::string> parameters;  // in lower case
   bool gives_back = false;              // a parameter is :OUT
   bool moves = false;                   // or changes frames, itself or by what it calls
   std::set<std::string> calls;          // names followed by a parenthesis, in lower case
 };
 
-/// The words of a line that move the robot or say where poses are.
+/// Whether a word moves the robot or sets the frame of poses.
 bool krl_word_moves(const std::string& lower_case_word);
 
 /// The files of a program, divided into routines and data.
@@ -36,13 +36,14 @@ class KrlSource {
 
   const KrlRoutineText& main() const;
 
-  /// By name in lower case: of this file, else of the first that has it; null: not given.
+  /// Finds a routine by its name in lower case: in this file, else in the first that has it; null:
+  /// not given.
   const KrlRoutineText* routine(const std::string& name, std::size_t from_file) const;
 
-  /// From data lists: those of each list by "stem/name", global ones by "name", too.
+  /// Values in data lists: by "stem/name", global ones also by "name".
   const std::map<std::string, KrlValue>& data() const { return data_; }
 
-  /// What data of a file begin with: "part/".
+  /// Prefix of a file's data: "part/".
   const std::string& scope(std::size_t file) const { return scopes_[file]; }
 
  private:

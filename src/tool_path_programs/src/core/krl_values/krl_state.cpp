@@ -18,7 +18,7 @@ bool at_value_end(const TokenReader& reader) {
          reader.at_name("c_spl") || reader.at_name("c_dis");
 }
 
-/// To the comma or end behind a value, over parentheses.
+/// Skips a value, with parentheses, to the comma or the end after it.
 void skip_value(TokenReader& reader) {
   for (std::size_t depth = 0; !reader.at_line_end(); reader.next()) {
     if (depth == 0 && at_value_end(reader)) return;
@@ -57,7 +57,7 @@ void KrlSetter::set_frame(TokenReader& reader, bool tool) {
   (tool ? settings.frames.tool : settings.frames.user) = frame(reader, tool);
 }
 
-/// A frame that only the controller knows, unlike any other.
+/// A frame known only to the controller, different from any other.
 Frame KrlSetter::unknown(TokenReader& reader, std::size_t begin) const {
   const std::string place = reader.where();
   reader.go_to(begin);
@@ -211,7 +211,7 @@ void KrlSetter::take_fdat(const Place& place) {
   settings.frames.user = of_fdat(settings.fdat, false, place);
 }
 
-/// SVEL_CP(0.5, , LCPDAT1), SVEL_JOINT(80), SAPO(LCPDAT1): from the parenthesis.
+/// SVEL_CP(0.5, , LCPDAT1), SVEL_JOINT(80), SAPO(LCPDAT1): reads from the parenthesis.
 bool KrlSetter::with_call(TokenReader& reader) {
   const bool linear = reader.at_name("svel_cp");
   const bool joint = reader.at_name("svel_joint");

@@ -12,16 +12,17 @@
 
 namespace tool_path_programs {
 
-/// What statements before a motion have set for it.
+/// Settings that earlier statements made for a motion.
 struct KrlSettings {
   Frames frames;
   std::optional<double> speed;        // [m/s]
   std::optional<double> joint_speed;  // share
-  double zone = 0;                    // [m] where a motion flies by
-  std::string fdat, ldat;             // what BAS(#CP_PARAMS, ..) takes, by name
+  double zone = 0;                    // [m] used if a motion flies by
+  std::string fdat, ldat;             // names that BAS(#CP_PARAMS, ..) takes
 };
 
-/// Reads the statements that set it: assignments of $TOOL, $BASE, $VEL, $APO; BAS; WITH.
+/// Reads the statements that change the settings: assignments of $TOOL, $BASE, $VEL, $APO; BAS;
+/// WITH.
 class KrlSetter {
  public:
   KrlSetter(const KrlVariables& variables, const ReadSettings& known)
@@ -29,13 +30,13 @@ class KrlSetter {
 
   KrlSettings settings;
 
-  /// From behind the variable's name, such as $VEL, to the end of the value.
+  /// Reads from after the variable's name, such as $VEL, to the end of the value.
   void assign(const std::string& variable, TokenReader& reader);
 
-  /// From behind BAS, to the end of the line.
+  /// Reads from after BAS to the end of the line.
   void bas(TokenReader& reader);
 
-  /// From behind WITH: $VEL=SVEL_CP(0.5, , LCPDAT1), $TOOL=STOOL2(FP1), ...
+  /// Reads from after WITH: $VEL=SVEL_CP(0.5, , LCPDAT1), $TOOL=STOOL2(FP1), ...
   void with(TokenReader& reader);
 
  private:

@@ -17,7 +17,7 @@ std::string field_name(std::size_t field) {
   return lower_case(kKrlFields[field]);
 }
 
-/// Behind a brace within braces, to behind its end.
+/// Goes past the end of braces nested in braces, from after their opening brace.
 void skip_braces(TokenReader& reader) {
   reader.expect('{');
   for (std::size_t depth = 1; depth > 0;) {
@@ -28,7 +28,7 @@ void skip_braces(TokenReader& reader) {
   }
 }
 
-/// A name, with its index where it has one: POINT2[].
+/// A name, with its index if it has one: POINT2[].
 std::string field(TokenReader& reader) {
   const std::string name = lower_case(reader.name());
   if (reader.accept('['))

@@ -11,18 +11,18 @@
 
 namespace tool_path_programs {
 
-/// What names stand for while a program runs: of the routine, of its file's data list, global.
+/// Values of names while a program runs: of the routine, of its file's data list, global.
 class KrlVariables {
  public:
   explicit KrlVariables(const KrlSource& source) : source_(source), data_(source.data()) {}
 
-  void enter(std::size_t file);  //!< a routine begins
-  void leave();                  //!< it ends: what it declared is gone
+  void enter(std::size_t file);  //!< when a routine begins
+  void leave();                  //!< when it ends: its declarations are dropped
 
   void declare(const std::string& name);
   void assign(const std::string& name, const KrlValue& value);
 
-  /// null: nobody gave it a value that is known from the files.
+  /// null: no value is known from the files.
   const KrlValue* find(const std::string& name) const;
 
  private:

@@ -6,8 +6,8 @@
 
 namespace tool_path_programs {
 
-/// Comau's language: .pdl, with the values of variables as text in .lsv. Dialects c5g, c4g, which
-/// take the same programs. A speed that a program leaves to the controller is read as Move's own.
+/// Comau's language: .pdl, with the values of variables as text in .lsv. Dialects c5g and c4g,
+/// which take the same programs. A speed left to the controller is read as the default of Move.
 const Language& pdl2();
 
 }  // namespace tool_path_programs

@@ -9,7 +9,7 @@ namespace tool_path_programs {
 namespace {
 
 constexpr std::size_t kLongestName = 32;
-constexpr std::size_t kPartLines = 8;  // of a program that holds a part, beside its moves
+constexpr std::size_t kPartLines = 8;  // of a program for a part, besides its moves
 
 using Lines = std::vector<std::string>;
 
@@ -71,7 +71,7 @@ Lines part_of(const std::string& name, const std::vector<Block>& blocks, const L
       "give at least " + std::to_string(needed) + ", or a shorter path");
 }
 
-/// @param beside lines of a file that are no blocks
+/// @param beside lines of a file that are not blocks
 void check_fit(const std::vector<Block>& blocks, std::size_t beside, std::size_t max_lines) {
   for (const Block& block : blocks)
     if (block.size() + beside > max_lines) refuse(max_lines, block.size() + beside);

@@ -10,21 +10,20 @@
 
 namespace tool_path_programs {
 
-/// A program's text before it is divided into files.
+/// A program's text before it is split into files.
 struct Pdl2Routine {
   std::string name;
   std::vector<std::string> comments;
-  std::vector<std::string> variables;  //!< declarations of frames that other programs hold
+  std::vector<std::string> variables;  //!< declarations of frames held by other programs
   std::vector<std::string> head;       //!< first statements of the main program
-  std::vector<Block> blocks;           //!< in their order
+  std::vector<Block> blocks;           //!< in order
 };
 
-/// @throw scan_cell_common::UnusableInput with a name that would do: letters, digits and _, at most
-/// 32
+/// @throw scan_cell_common::UnusableInput with a valid name: letters, digits and _, at most 32
 void check_pdl2_name(const std::string& thing, const std::string& name);
 
-/// One program; where that is too long, a main one that calls the routines R_name_1, R_name_2 ...
-/// of programs name_1, name_2 ...
+/// One program; if that is too long, a main program that calls the routines R_name_1, R_name_2, ...
+/// of programs name_1, name_2, ...
 /// @throw scan_cell_common::InvalidParameter if a block or the main program does not fit max_lines
 std::vector<SourceFile> pdl2_files(const Pdl2Routine& routine, std::size_t max_lines);
 

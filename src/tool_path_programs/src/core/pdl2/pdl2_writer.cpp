@@ -20,9 +20,9 @@ namespace {
 
 using scan_cell_common::UnusableInput;
 
-constexpr std::size_t kMostLines = 5000;    // what a public post takes
+constexpr std::size_t kMostLines = 5000;    // from a public post processor
 constexpr double kFastest = 3;              // [m/s]
-constexpr std::size_t kCommentWidth = 120;  // longer ones go on in the next line
+constexpr std::size_t kCommentWidth = 120;  // longer ones are wrapped
 constexpr int kSpeedDigits = 7;             // $LIN_SPD [m/s]
 constexpr int kZoneDigits = 4;              // $FLY_DIST [mm]
 
@@ -129,7 +129,7 @@ class Writer {
       open_frames_ = true;
   }
 
-  /// tools.gun is the variable gun of the program tools.
+  /// tools.gun: the variable gun of the program tools.
   std::string declared(const std::string& name) {
     const std::size_t point = name.find('.');
     if (point == std::string::npos)

@@ -14,7 +14,7 @@ using Pdl2Numbers = std::array<double, 6>;
 Eigen::Isometry3d pdl2_pose(const Pdl2Numbers& numbers);
 Pdl2Numbers pdl2_numbers(const Eigen::Isometry3d& pose);
 
-/// Behind the point of each of them: lengths 1e-4 mm, angles 1e-5 degree.
+/// Decimals of each number: lengths 1e-4 mm, angles 1e-5 degree.
 inline int pdl2_digits(std::size_t field) {
   return field < 3 ? 4 : 5;
 }

@@ -9,7 +9,7 @@
 namespace tool_path_programs {
 namespace {
 
-constexpr double kSame = 1e-9;  // [m], parts of a rotation
+constexpr double kSame = 1e-9;  // [m], elements of a rotation matrix
 
 }  // namespace
 

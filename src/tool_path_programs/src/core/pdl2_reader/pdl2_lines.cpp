@@ -10,7 +10,7 @@
 namespace tool_path_programs {
 namespace {
 
-/// As the pose where the arc leads to; '' where it has none.
+/// The configuration of the pose at the arc's end; '' if it has none.
 std::string configuration(const ProgramText& text, const PoseText& pose) {
   const std::string found = pdl2_pose_at(text.files[pose.place.file], pose.offset).configuration;
   return found.empty() ? "''" : found;

@@ -24,8 +24,8 @@ std::string key_of(const Frame& frame) {
 
 }  // namespace
 
-/// Not one that ends by a condition, switches something on its way, moves other axes, or turns the
-/// tool in its own way.
+/// Whether an arc ends without a condition, switches nothing on its way, moves no other axes, and
+/// turns the tool in the usual way.
 bool Pdl2Run::is_plain_arc(const ArcText& arc) {
   const std::string& file = text_.files.at(reader().place().file).text;
   const std::string statement =
@@ -36,7 +36,7 @@ bool Pdl2Run::is_plain_arc(const ArcText& arc) {
   return *arcs_are_plain_;
 }
 
-/// From behind MOVE or MOVEFLY.
+/// Reads from after MOVE or MOVEFLY.
 void Pdl2Run::move(bool flies) {
   const Place place = reader().place();
   ArcText arc;
@@ -104,7 +104,7 @@ Pdl2Run::Target Pdl2Run::named_target() {
                       value ? kGiveLiteral : "give the variables of its program as text (.lsv)");
 }
 
-/// ADVANCE, TIL, WITH; they may go on in the next line behind a comma, up to ENDMOVE.
+/// ADVANCE, TIL, WITH; after a comma they may go on in the next line, up to ENDMOVE.
 void Pdl2Run::clauses() {
   while (!at_statement_end(reader())) {
     if (reader().at_name("syncmove"))

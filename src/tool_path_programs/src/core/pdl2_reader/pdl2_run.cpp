@@ -15,7 +15,7 @@ constexpr std::size_t kDeepestCall = 40;
 constexpr std::size_t kMostStatements =
     2000000;  // subprograms that call each other again and again
 
-/// Statements that neither move nor call, by their first word.
+/// Whether a statement neither moves nor calls, by its first word.
 bool is_passed_over(const std::string& word) {
   static const std::set<std::string> words = {
       "cycle",      "delay",      "wait",     "pause",      "attach",     "detach",  "lock",
@@ -153,7 +153,7 @@ void Pdl2Run::call(const std::string& name) {
                   "give a program that ends");
   }
   reader().next();
-  while (!at_statement_end(reader())) {  // a routine may change what it is given
+  while (!at_statement_end(reader())) {  // a routine may change its arguments
     const Place place = reader().place();
     if (reader().peek().kind != TokenKind::kName) {
       reader().next();
@@ -166,7 +166,7 @@ void Pdl2Run::call(const std::string& name) {
   enter(*body);
 }
 
-/// What happens under a condition, or several times, must not matter for poses.
+/// Skips a block that may run never or several times: it must not affect poses.
 void Pdl2Run::skip_block(const std::string& word) {
   const std::string begin = reader().where();
   std::vector<std::string> ends;
@@ -202,7 +202,7 @@ void Pdl2Run::check_line_of_block(bool first) {
   check_calls_of_line();
 }
 
-/// None of the routines that the rest of the line calls may move.
+/// Checks that no routine called in the rest of the line moves.
 void Pdl2Run::check_calls_of_line() {
   TokenReader line = reader();
   for (; !line.at_line_end(); line.next()) {

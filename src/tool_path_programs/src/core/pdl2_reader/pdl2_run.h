@@ -11,7 +11,7 @@
 
 namespace tool_path_programs {
 
-/// Goes through a program in the order of its motion, statement by statement.
+/// Follows a program in the order of its motion, statement by statement.
 class Pdl2Run {
  public:
   Pdl2Run(const Pdl2Source& source, const ReadSettings& known, ProgramText& text);
@@ -21,7 +21,7 @@ class Pdl2Run {
  private:
   struct Target {
     std::optional<Pdl2Pose> pose;
-    std::vector<double> joints;  // empty where only the controller knows them
+    std::vector<double> joints;  // empty: known only to the controller
   };
 
   void statement();
@@ -62,7 +62,7 @@ class Pdl2Run {
   std::map<std::pair<std::size_t, std::size_t>, std::size_t> poses_;  // by file and offset
   std::map<std::string, std::size_t> frames_;
   std::size_t statements_ = 0;
-  std::optional<bool> arcs_are_plain_;  // as far as the whole text says; none: not looked at yet
+  std::optional<bool> arcs_are_plain_;  // judged from the whole text; none: not checked yet
 };
 
 }  // namespace tool_path_programs

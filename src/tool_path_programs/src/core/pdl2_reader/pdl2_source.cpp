@@ -12,7 +12,7 @@ namespace {
 
 using scan_cell_common::lower_case;
 
-/// Of a section of declarations.
+/// Whether a section of declarations begins here.
 bool at_section(const TokenReader& reader) {
   for (const char* word : {"begin", "routine", "var", "const", "type", "import", "program"})
     if (reader.at_name(word)) return true;
@@ -114,7 +114,7 @@ void Pdl2Source::read_variables(TokenReader& at, std::size_t file, std::set<std:
   }
 }
 
-/// Up to its BEGIN; null where the body is in another program.
+/// Reads up to BEGIN; null: the body is in another program.
 std::unique_ptr<Pdl2Body> Pdl2Source::read_routine_head(TokenReader& at, std::size_t file) {
   auto body = std::make_unique<Pdl2Body>();
   body->name = at.name();
@@ -138,7 +138,7 @@ std::unique_ptr<Pdl2Body> Pdl2Source::read_routine_head(TokenReader& at, std::si
   return body;
 }
 
-/// From its BEGIN to behind its END.
+/// Reads from BEGIN past END.
 void Pdl2Source::read_body(TokenReader& at, Pdl2Body& body) {
   at.accept("begin");
   body.begin = at.position();
@@ -169,7 +169,7 @@ void Pdl2Source::read_values(std::size_t file) {
   }
 }
 
-/// A routine moves where one that it calls does.
+/// Marks routines that move by a routine that they call.
 void Pdl2Source::spread_motion() {
   std::map<std::string, std::vector<Pdl2Body*>> callers;
   std::vector<Pdl2Body*> moving;

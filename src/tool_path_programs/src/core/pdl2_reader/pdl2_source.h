@@ -12,23 +12,23 @@
 
 namespace tool_path_programs {
 
-/// A body between BEGIN and END.
+/// The statements between BEGIN and END.
 struct Pdl2Body {
-  std::string name;              // as it is written
-  std::size_t file = 0;          // which of the files
-  std::size_t begin = 0;         // of its first statement among the file's tokens
+  std::string name;              // as written
+  std::size_t file = 0;          // index of the file
+  std::size_t begin = 0;         // first statement, among the file's tokens
   std::set<std::string> locals;  // its parameters and variables, in lower case
-  std::set<std::string> names;   // all that occur in it, in lower case
+  std::set<std::string> names;   // all names in it, in lower case
   bool moves = false;            // or changes frames, itself or by what it calls
 };
 
-/// What a declaration says of a variable.
+/// The declaration of a variable.
 struct Pdl2Variable {
   std::string type;      // in lower case: position, jointpos
-  std::string exporter;  // program that holds it; empty: its own
+  std::string exporter;  // program that holds it; empty: this one
 };
 
-/// The words that move the robot or say where poses are.
+/// Whether a word moves the robot or sets the frame of poses.
 bool pdl2_word_moves(const std::string& lower_case_word);
 
 /// The files of a program, divided into bodies and data.
@@ -41,16 +41,17 @@ class Pdl2Source {
 
   const Pdl2Body& main() const { return *main_; }
 
-  /// A routine by name in lower case: of this file, else of the first that has it; null: not given.
+  /// Finds a routine by its name in lower case: in this file, else in the first that has it; null:
+  /// not given.
   const Pdl2Body* routine(const std::string& name, std::size_t from_file) const;
 
-  /// What a file's variables are declared as; null: not at all.
+  /// The declaration of a file's variable; null: not declared.
   const Pdl2Variable* variable(const std::string& name, std::size_t file) const;
 
   /// Values in .lsv files: by "stem/name".
   const std::map<std::string, Pdl2Value>& data() const { return data_; }
 
-  /// What data of a file begin with: "part/".
+  /// Prefix of a file's data: "part/".
   const std::string& scope(std::size_t file) const { return scopes_[file]; }
 
  private:

@@ -27,7 +27,7 @@ void skip_value(TokenReader& reader) {
   }
 }
 
-/// A frame that only the controller knows, unlike any other.
+/// A frame known only to the controller, different from any other.
 Frame unknown(const std::string& text, const std::string& where) {
   return {scan_cell_common::excerpt(text) + " (" + where + ")", {}};
 }
@@ -109,7 +109,7 @@ Frame Pdl2Variables::frame(const std::string& name) const {
   return frame;
 }
 
-/// $UFRAME stands in the world, as the robot's $BASE does.
+/// $UFRAME is in the world, and so is the robot's $BASE.
 Frames Pdl2Settings::frames() const {
   Frames frames{tool, uframe};
   if (!base) return frames;

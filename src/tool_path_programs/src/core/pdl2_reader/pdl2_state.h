@@ -12,7 +12,7 @@
 
 namespace tool_path_programs {
 
-/// What names stand for while a program runs.
+/// Values of names while a program runs.
 class Pdl2Variables {
  public:
   Pdl2Variables(const Pdl2Source& source, const ReadSettings& known);
@@ -23,13 +23,14 @@ class Pdl2Variables {
 
   void assign(const std::string& name, const Pdl2Value& value);
 
-  /// null: nobody gave it a value that is known from the files.
+  /// null: no value is known from the files.
   const Pdl2Value* find(const std::string& name) const;
 
   /// "jointpos"; empty: not declared.
   std::string type(const std::string& name) const;
 
-  /// A frame that is a variable: its name, with the program that holds it, and its place if known.
+  /// A variable that holds a frame: its name, with the program that holds it, and its place if
+  /// known.
   Frame frame(const std::string& name) const;
 
  private:
@@ -45,7 +46,7 @@ class Pdl2Variables {
   std::vector<Scope> bodies_;
 };
 
-/// What statements before a motion have set for it.
+/// Settings that earlier statements made for a motion.
 struct Pdl2Settings {
   Frame tool, uframe;
   std::optional<Frame> base;
@@ -58,7 +59,7 @@ struct Pdl2Settings {
   Frames frames() const;
 };
 
-/// Takes an assignment, from behind its := or =; false if the variable is none of these.
+/// Reads an assignment from after its := or =; false if the variable is not a setting.
 bool set(Pdl2Settings& settings, const std::string& variable, TokenReader& reader,
          const Pdl2Variables& variables);
 

@@ -12,7 +12,7 @@
 namespace tool_path_programs {
 namespace {
 
-constexpr int kLinesOfListing = 8;  // that a pose in a .lsv may take
+constexpr int kLinesOfListing = 8;  // most lines of a pose in a .lsv
 
 bool at_number(const TokenReader& reader) {
   if (reader.peek().kind == TokenKind::kNumber) return true;

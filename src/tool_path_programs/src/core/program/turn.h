@@ -8,10 +8,10 @@
 
 namespace tool_path_programs {
 
-/// [rad] of one step: from here on it is open which way round the tool turns.
+/// [rad] turn in one step from which the direction of the turn is ambiguous.
 constexpr double kOpenTurn = 179.9 * M_PI / 180;
 
-/// [rad] by which the tool turns from one pose to the other, the shorter way.
+/// [rad] turn of the tool from one pose to the other, the shorter way.
 inline double turn_between(const Move& from, const Move& to) {
   return Eigen::Quaterniond(from.pose.linear())
       .angularDistance(Eigen::Quaterniond(to.pose.linear()));

@@ -9,14 +9,15 @@
 
 namespace tool_path_programs {
 
-/// Tools and work objects of a program as RAPID declares and names them.
+/// Tools and work objects of a program, as RAPID declares and names them.
 class RapidFrames {
  public:
-  /// @throw scan_cell_common::UnusableInput if a tool has neither name nor pose, a name will not
-  /// do, or one name stands for two poses
+  /// @throw scan_cell_common::UnusableInput if a tool has neither name nor pose, a name is invalid,
+  /// or one name has two poses
   explicit RapidFrames(const Program& program);
 
-  /// "tTool\WObj:=wPart", of one of Program::frames
+  /// "tTool\WObj:=wPart"
+  /// @param frames index in Program::frames
   const std::string& arguments(std::size_t frames) const { return arguments_[frames]; }
   const std::vector<std::string>& declarations() const { return declarations_; }
   const std::vector<std::string>& notes() const { return notes_; }

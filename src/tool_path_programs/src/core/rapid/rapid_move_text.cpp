@@ -17,8 +17,8 @@ namespace {
 using scan_cell_common::UnusableInput;
 
 constexpr int kDigits = 4;            // of mm and mm/s
-constexpr int kQuaternionDigits = 8;  // what a controller's number holds, and some
-constexpr double kFastest = 7;        // [m/s] the greatest predefined one, v7000
+constexpr int kQuaternionDigits = 8;  // more than a controller's number holds
+constexpr double kFastest = 7;        // [m/s] of v7000, the fastest predefined speed
 
 constexpr std::array kSpeeds = {"5",    "10",   "20",   "30",   "40",   "50",   "60",
                                 "80",   "100",  "150",  "200",  "300",  "400",  "500",
@@ -36,7 +36,7 @@ std::string waypoint_name(std::size_t waypoint) {
   return "RAPID, waypoint " + std::to_string(waypoint);
 }
 
-/// Which quarter of a turn an axis is in.
+/// The quarter turn that an axis is in.
 int quarter(double angle) {
   return static_cast<int>(std::floor(angle / (M_PI / 2)));
 }
@@ -91,7 +91,8 @@ std::string rapid_zone(double radius, std::size_t waypoint) {
                         "give 0, where the tool stops, or a greater one");
   if (is_one_of(text, kZones)) return "z" + text;
   if (text == "0.3") return "z0";
-  // In the predefined ones, too, the tool turns within half as much again, at a tenth of that.
+  // As in predefined zones, the tool turns within 1.5 times the radius, at a tenth of it in
+  // degrees.
   return fmt::format("[FALSE,{0},{1},{1},{2},{1},{2}]", text, shortest(1.5 * wanted, kDigits),
                      shortest(0.15 * wanted, kDigits + 1));
 }

@@ -11,20 +11,20 @@ namespace tool_path_programs {
 /// "[[x,y,z],[q1,q2,q3,q4]]" of a pose [m], as RAPID writes it.
 std::string rapid_pose(const Eigen::Isometry3d& pose);
 
-/// The robtarget of a pose: configuration by quarter turns where the joints are known.
+/// The robtarget of a pose, with configuration (quarter turns) if the joints are known.
 std::string rapid_robtarget(const Eigen::Isometry3d& pose,
                             const std::optional<JointAngles>& joints);
 
-/// A speeddata: by its name where one is predefined.
+/// A speeddata, by name if it is predefined.
 /// @param speed of the tip [m/s]
-/// @throw scan_cell_common::UnusableInput naming the waypoint if it cannot be said
+/// @throw scan_cell_common::UnusableInput naming the waypoint if RAPID cannot express it
 std::string rapid_speed(double speed, double max_change, std::size_t waypoint);
 
-/// A zonedata: by its name where one is predefined.
+/// A zonedata, by name if it is predefined.
 /// @param radius [m] 0: fine
 std::string rapid_zone(double radius, std::size_t waypoint);
 
-/// The speed of the tip that stands for all of the axes' speed [m/s].
+/// Tip speed written for the full speed of the axes [m/s].
 constexpr double kRapidFullSpeed = 5;
 
 }  // namespace tool_path_programs

@@ -19,7 +19,7 @@ namespace {
 using scan_cell_common::InvalidParameter;
 using scan_cell_common::UnusableInput;
 
-constexpr std::size_t kMostLines = 5000;  // what public post-processors put into a module
+constexpr std::size_t kMostLines = 5000;  // in one module, from public post processors
 constexpr std::size_t kFewestLines = 20;
 constexpr std::size_t kLinesAround = 4;  // of a part: MODULE, PROC and their ends
 
@@ -98,7 +98,7 @@ class Writing {
                           "put a waypoint between them");
   }
 
-  /// Behind a stop it is a statement of its own; on the way it went with the move.
+  /// After a stop the output is a statement of its own; on the way it is part of the move.
   void add_output(const SetOutput& output, std::size_t i) {
     check_rapid_name("output", output.output, kLongestRapidName);
     const Move* before = i == 0 ? nullptr : std::get_if<Move>(&program_.steps[i - 1]);
@@ -114,7 +114,7 @@ class Writing {
     if (move.joints.size() != 6)
       throw UnusableInput("RAPID, joint move", std::to_string(move.joints.size()) + " angles",
                           "give 6");
-    // Angles alone need no tool: tool0 is always there.
+    // Joint angles need no tool: tool0 always exists.
     body_.push_back(fmt::format("MoveAbsJ [[{}],[9E9,9E9,9E9,9E9,9E9,9E9]],v100,fine,tool0;",
                                 fmt::join(move.joints, ",")));
     last_ = nullptr;

@@ -6,8 +6,8 @@
 
 namespace tool_path_programs {
 
-/// @throw scan_cell_common::UnusableInput naming the first waypoint that RAPID cannot say
-/// @throw scan_cell_common::InvalidParameter if a setting makes no sense
+/// @throw scan_cell_common::UnusableInput naming the first waypoint that RAPID cannot express
+/// @throw scan_cell_common::InvalidParameter if a setting is invalid
 WrittenProgram write_rapid(const Program& program, const WriteSettings& settings);
 
 }  // namespace tool_path_programs

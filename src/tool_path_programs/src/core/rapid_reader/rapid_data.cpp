@@ -12,7 +12,7 @@ using scan_cell_common::lower_case;
 
 constexpr int kMostNames = 20;  // a := b, b := c and so on
 
-/// Which of the values of data a name means, with the {3} behind it where they are a list.
+/// The element of data that a name means, with the {3} after it if they are a list.
 std::optional<std::size_t> element_at(TokenReader& reader, const RapidData& data) {
   std::size_t element = 0;
   if (data.list) {
@@ -166,7 +166,7 @@ void RapidDataState::forget(const RapidData& data, const TokenReader& where) {
 void RapidDataState::forget_assigned(std::size_t begin, std::size_t end,
                                      const RapidRoutine& routine) {
   TokenReader reader = source_.reader(routine.file, begin);
-  bool option = false;  // \WObj:= is no assignment
+  bool option = false;  // \WObj:= is not an assignment
   while (!reader.at_end() && reader.position() < end) {
     if (!option && at_rapid_assignment(reader))
       if (const RapidData* data = source_.data(std::string(reader.peek().text), routine))

@@ -13,18 +13,19 @@
 
 namespace tool_path_programs {
 
-/// What data of a program are worth while it is gone through in the order of the motion.
+/// Values of a program's data while the program is followed in the order of the motion.
 class RapidDataState {
  public:
   /// Both must outlive it.
   RapidDataState(const RapidSource& source, const ReadSettings& settings);
 
-  /// At the value of an argument: itself if it stands there, else where the data that it names got
-  /// theirs.
-  /// @throw scan_cell_common::UnusableInput naming file and line where the text does not say it
+  /// A reader at an argument's value: at the argument if it is a literal, else where the named data
+  /// got its value.
+  /// @throw scan_cell_common::UnusableInput naming file and line if the text does not give the
+  /// value
   TokenReader value_of(const RapidArgument& argument, const RapidRoutine& routine) const;
 
-  /// None where the text does not say it.
+  /// none: the text does not give the value.
   std::optional<TokenReader> known_value_of(const RapidArgument& argument,
                                             const RapidRoutine& routine) const;
 
@@ -35,15 +36,15 @@ class RapidDataState {
   Frame tool_of(const RapidArgument& argument, const RapidRoutine& routine);
   Frame user_of(const RapidArgument& argument, const RapidRoutine& routine);
 
-  /// An assignment that is certain to be executed; goes behind it.
+  /// Reads an assignment that is certain to be executed.
   void assign(TokenReader& reader, const RapidRoutine& routine);
 
-  /// All assignments between two places may be executed or not.
+  /// Notes that assignments between two places may or may not be executed.
   void forget_assigned(std::size_t begin, std::size_t end, const RapidRoutine& routine);
 
  private:
   struct Changed {
-    std::optional<std::size_t> value;  // where it stands; none: computed
+    std::optional<std::size_t> value;  // where it is in the text; none: computed
     std::size_t file = 0;
     std::size_t line = 0;
   };
@@ -54,16 +55,16 @@ class RapidDataState {
                  ReadFrame read);
   TokenReader at(const RapidArgument& argument, const RapidRoutine& routine) const;
   void forget(const RapidData& data, const TokenReader& where);
-  /// A name that stands alone and is not declared in the files, such as v50; else empty.
+  /// A name that is the whole argument and not declared in the files, such as v50; else empty.
   std::string undeclared_name(const RapidArgument& argument, const RapidRoutine& routine) const;
   [[noreturn]] void fail_at(const RapidArgument& argument, const RapidRoutine& routine) const;
 
   const RapidSource& source_;
-  std::map<std::string, Eigen::Isometry3d> known_frames_;  // by names in lower case
+  std::map<std::string, Eigen::Isometry3d> known_frames_;  // by name in lower case
   std::map<const RapidData*, Changed> changed_;
-  std::set<const RapidData*> frames_in_use_;     // that moves were in
+  std::set<const RapidData*> frames_in_use_;     // used by moves so far
   std::set<const RapidData*> moved_frames_;      // changed after a move in them
-  std::map<std::string, std::string> spelling_;  // of frames, as it came first
+  std::map<std::string, std::string> spelling_;  // of frames, as first written
 };
 
 }  // namespace tool_path_programs

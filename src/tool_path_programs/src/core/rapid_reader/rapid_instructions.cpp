@@ -16,7 +16,7 @@ constexpr auto kJoint = MotionKind::kJoint;
 constexpr auto kLinear = MotionKind::kLinear;
 constexpr auto kCircular = MotionKind::kCircular;
 
-// By names in lower case: those of the base system, then arc welding, gluing, painting, cutting.
+// By name in lower case: the base system, then arc welding, gluing, painting, cutting.
 const std::map<std::string, RapidMotion>& motions() {
   static const std::map<std::string, RapidMotion> all = {
       {"movej", {kJoint}},
@@ -55,7 +55,7 @@ const std::map<std::string, RapidMotion>& motions() {
   return all;
 }
 
-// Statements that move nothing and move no pose either.
+// Statements that neither move the robot nor change a pose.
 constexpr std::string_view kMoveNothing =
     "accset actunit add arckill arcrefresh bitclear bitset break cirpathmode clear "
     "clearpath clkreset clkstart clkstop close confj confl connect cornerpathwarning "
@@ -78,7 +78,7 @@ const RapidMotion* rapid_motion(const std::string& name) {
 }
 
 const char* rapid_line_in_place_of(const std::string& name) {
-  // Not those that begin or end a process, or trigger something at a distance from an end.
+  // Without those that begin or end a process, or trigger something at a distance from an end.
   static const std::map<std::string, const char*> lines = {
       {"movec", "MoveL"}, {"movecdo", "MoveLDO"}, {"movecao", "MoveLAO"}, {"movecgo", "MoveLGO"},
       {"arcc", "ArcL"},   {"dispc", "DispL"},     {"paintc", "PaintL"},   {"cutc", "CutL"}};

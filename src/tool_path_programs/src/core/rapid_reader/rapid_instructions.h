@@ -9,25 +9,25 @@
 
 namespace tool_path_programs {
 
-/// An instruction of RAPID that moves the tip to a place that the program says.
+/// A RAPID instruction that moves the tip to a place given in the program.
 struct RapidMotion {
   MotionKind kind = MotionKind::kLinear;
-  bool joints = false;       //!< the place is angles of the axes
-  std::size_t behind = 0;    //!< how many arguments come behind the tool
-  bool sets_output = false;  //!< the two behind the tool are an output and its value
+  bool joints = false;       //!< the target is joint angles
+  std::size_t behind = 0;    //!< number of arguments after the tool
+  bool sets_output = false;  //!< the two arguments after the tool are an output and its value
 };
 
-/// Null: it is not one of them.
+/// null: not such an instruction.
 const RapidMotion* rapid_motion(const std::string& name);
 
-/// What says the way along a line that an instruction says along an arc, in the same words behind
-/// it; null: there is none.
+/// The line instruction that takes the place of an arc instruction, with the same arguments after
+/// the target; null: none.
 const char* rapid_line_in_place_of(const std::string& name);
 
-/// Instructions that the reader knows to be without influence on motions.
+/// Whether the instruction is known not to influence motions.
 bool rapid_moves_nothing(const std::string& name);
 
-/// What is wrong with an instruction that decides at run time where the tip is; null: nothing.
+/// What is wrong with an instruction whose target is known only at run time; null: nothing.
 const char* rapid_unresolvable(const std::string& name);
 
 }  // namespace tool_path_programs

@@ -37,7 +37,7 @@ class RapidLines {
   }
 
  private:
-  /// They would go all their way in the first line.
+  /// Refuses external axes: they would move all the way in the first line.
   void check_external_axes(std::size_t step) const {
     const std::size_t before = move_before(text_, step).value();
     const auto to = external_axes(text_.poses.at(*text_.steps[step].pose));
@@ -60,7 +60,7 @@ class RapidLines {
     return axes;
   }
 
-  /// As the robtarget where the arc leads to, with another pose.
+  /// The robtarget of the arc's end, with another pose.
   std::string literal(const PoseText& target, const Eigen::Isometry3d& pose) const {
     TokenReader reader = places_.reader(target.place.file, target.offset);
     const RapidPose old = read_rapid_pose(reader);
@@ -77,7 +77,7 @@ class RapidLines {
         .text;
   }
 
-  /// The last arguments: what happens at the end of the arc, and not before.
+  /// Removes the last arguments: what happens at the end of the arc, and not before.
   void leave_out(std::size_t count, std::size_t step, ArcStatement& line) const {
     TokenReader reader =
         places_.reader(text_.steps[step].place.file, line.pieces().statement.begin);

@@ -63,7 +63,7 @@ void RapidPassedOver::pass_over(TokenReader& reader, const RapidRoutine& routine
   }
 }
 
-/// How much deeper what comes is.
+/// By how much the block level grows.
 int RapidPassedOver::pass_over_head(TokenReader& reader) {
   if (reader.accept("IF")) {
     pass_over_rapid_expression(reader);

@@ -10,18 +10,18 @@
 
 namespace tool_path_programs {
 
-/// Goes over statements that may be executed or not: allowed where they move nothing.
+/// Skips blocks that may or may not be executed, which are allowed if they do not move the robot.
 class RapidPassedOver {
  public:
   /// All must outlive it.
-  /// @param without_motion routines that are known not to move, in lower case
+  /// @param without_motion routines known not to move, in lower case
   RapidPassedOver(const RapidSource& source, const std::set<std::string>& without_motion,
                   RapidDataState& data);
 
   /// Whether IF, FOR, WHILE or TEST begins here.
   static bool begins_here(const TokenReader& reader);
 
-  /// Behind its end. What it assigns is not known from then on.
+  /// Goes past the end of the block. What it assigns is unknown from then on.
   /// @throw scan_cell_common::UnusableInput naming file and line of a motion in it
   void pass_over(TokenReader& reader, const RapidRoutine& routine);
 

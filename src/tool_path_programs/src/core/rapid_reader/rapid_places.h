@@ -9,7 +9,7 @@
 
 namespace tool_path_programs {
 
-/// Tokens of each file, and where a byte is among them.
+/// Tokens of each file, found by byte offset.
 class RapidPlaces {
  public:
   /// @param files must outlive it
@@ -22,7 +22,7 @@ class RapidPlaces {
   std::vector<std::vector<Token>> tokens_;
 };
 
-/// x y z [mm], q1 to q4 with the sign that is nearer to the old ones.
+/// x y z [mm], q1 to q4 with the sign nearer to the old ones.
 std::array<double, 7> rapid_numbers(const Eigen::Isometry3d& pose, const RapidPose& old);
 
 constexpr int kRapidLengthDigits = 4;

@@ -17,8 +17,8 @@ namespace {
 using scan_cell_common::lower_case;
 
 constexpr std::size_t kDeepestCall = 50;
-constexpr std::size_t kMostStatements = 5000000;  // routines that call others, and these others ...
-constexpr double kFullSpeed = 5000;  // [mm/s] of the tip: what vmax says; joint moves are shares
+constexpr std::size_t kMostStatements = 5000000;  // also limits nested calls
+constexpr double kFullSpeed = 5000;  // [mm/s] of the tip, as vmax; joint speeds are shares of it
 
 std::set<std::string> lower_cases(const std::set<std::string>& names) {
   std::set<std::string> result;
@@ -162,7 +162,8 @@ class Reading {
                  call.place);
   }
 
-  /// Not one that begins or ends a process, says its own time, or turns the tool in its own way.
+  /// Whether an arc neither begins nor ends a process, has no time of its own, and turns the tool
+  /// in the usual way.
   bool is_plain_arc(const RapidCall& call) const {
     static const std::set<std::string> plain = {"wobj", "v", "z"};
     const bool options =
@@ -171,7 +172,7 @@ class Reading {
     return options && !turns_otherwise_ && rapid_line_in_place_of(call.name) != nullptr;
   }
 
-  /// @param tool which of the arguments
+  /// @param tool index of the argument
   static ArcText arc_text(const RapidCall& call, std::size_t tool, TokenReader reader) {
     ArcText arc;
     arc.statement.begin = arc.word.begin = reader.offset();
@@ -205,7 +206,7 @@ class Reading {
     text_.steps.push_back({place, {}, {}});
   }
 
-  /// Each place in the text is one pose, however many moves go there.
+  /// One place in the text is one pose, however many moves use it.
   Eigen::Isometry3d pose_at(const RapidArgument& argument, const RapidRoutine& routine,
                             std::optional<std::size_t>& index) {
     TokenReader reader = data_.value_of(argument, routine);
@@ -272,7 +273,7 @@ class Reading {
   std::vector<const RapidRoutine*> calls_;
   std::size_t statements_ = 0;
   double override_ = 1;
-  double most_ = kFullSpeed * 2;  // [mm/s] no robot is as fast
+  double most_ = kFullSpeed * 2;  // [mm/s] faster than any robot
   bool finished_ = false;
   bool turns_otherwise_ = false;  // along arcs: CirPathMode
 };

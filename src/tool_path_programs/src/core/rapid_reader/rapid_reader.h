@@ -11,7 +11,7 @@ namespace tool_path_programs {
 /// @throw scan_cell_common::UnusableInput naming file and line of what cannot be resolved
 ProgramText read_rapid(const std::vector<SourceFile>& files, const ReadSettings& settings);
 
-/// The changes that give a program other poses.
+/// As Language::edits.
 std::vector<TextEdit> rapid_edits(const ProgramText& text,
                                   const std::vector<Eigen::Isometry3d>& poses);
 

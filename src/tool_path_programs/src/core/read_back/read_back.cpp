@@ -16,7 +16,7 @@ class Comparison {
   Comparison(const Unsaid& unsaid, const ReadBackLimits& limits)
       : unsaid_(unsaid), limits_(limits) {}
 
-  /// Empty: the same.
+  /// Empty: no difference.
   std::string operator()(const Step& meant, const Step& read) const {
     if (meant.index() != read.index()) return "another kind of step";
     if (const Move* move = std::get_if<Move>(&meant)) return moves(*move, std::get<Move>(read));

@@ -19,14 +19,14 @@ namespace {
 
 using scan_cell_common::UnusableInput;
 
-constexpr double kSame = 1e-9;       // [m], and of the parts of a rotation
-constexpr double kSamePlace = 1e-6;  // [m] of lines: the turn of a via depends on its neighbours
+constexpr double kSame = 1e-9;       // [m], and elements of a rotation matrix
+constexpr double kSamePlace = 1e-6;  // [m] of lines: the turn at a via depends on its neighbours
 
 bool is_same(const Eigen::Isometry3d& one, const Eigen::Isometry3d& other) {
   return (one.matrix() - other.matrix()).cwiseAbs().maxCoeff() <= kSame;
 }
 
-/// A program whose arcs become lines where they must.
+/// Turns arcs into lines where needed.
 class Straightening {
  public:
   Straightening(const Language& language, const ProgramText& text, const ReadSettings& known,
@@ -53,7 +53,7 @@ class Straightening {
   }
 
  private:
-  /// The adapted waypoints of arcs between their ends, by step.
+  /// Collects the adapted waypoints inside each arc, by step.
   void collect_places() {
     std::size_t waypoint = 0;
     for (const tool_paths::Segment& segment : adapted_.segments) {
@@ -111,7 +111,7 @@ class Straightening {
         Circle::through(start.translation(), move.via->translation(), move.pose.translation());
     const double turn =
         Eigen::Quaterniond(start.linear()).angularDistance(Eigen::Quaterniond(move.pose.linear()));
-    constexpr double kTurns = 0.01;  // [rad] below it either way is the same; chosen
+    constexpr double kTurns = 0.01;  // [rad] below it the direction does not matter; chosen
     return circle && circle->sweep() > M_PI && turn > kTurns;
   }
 
@@ -128,7 +128,7 @@ class Straightening {
     bool is_via;
   };
 
-  /// Of the lines, without start and end, in the user frame.
+  /// The vertices of the lines, without start and end, in the user frame.
   std::vector<Eigen::Isometry3d> vertices(std::size_t step) {
     const Eigen::Isometry3d from_path = frame_(step).inverse();
     std::vector<Eigen::Isometry3d> vertices;
@@ -141,13 +141,13 @@ class Straightening {
     return vertices;
   }
 
-  /// Where an arc begins, in its user frame.
+  /// The pose where an arc begins, in its user frame.
   Eigen::Isometry3d start_of(std::size_t step) const {
     const std::size_t before = move_before(text_, step).value();
     return frame_(step).inverse() * frame_(before) * poses_[*text_.steps[before].pose];
   }
 
-  /// The controller does not look at how a via is turned: between its neighbours.
+  /// The controller ignores the via's orientation, so it is taken midway between its neighbours.
   Eigen::Matrix3d turn_between(std::size_t step, const std::vector<Eigen::Isometry3d>& vertices,
                                std::size_t i) const {
     const Eigen::Isometry3d from = i > 0 ? vertices[i - 1] : start_of(step);
@@ -172,7 +172,7 @@ class Straightening {
     return lines;
   }
 
-  /// What it should read. How near the tool passes the places of an arc is left to the language.
+  /// The program that should be read. The language decides how near the tool passes the vertices.
   Program as_lines(const ProgramText& read) const {
     Program program = text_.program;
     program.steps.clear();
@@ -227,9 +227,9 @@ class Straightening {
   const std::vector<Eigen::Isometry3d> poses_;         // adapted, of text_
   std::map<std::size_t, std::vector<Vertex>> places_;  // by step
   std::vector<ArcLines> arcs_;
-  std::map<std::size_t, std::size_t> straight_;  // step: which of arcs_
+  std::map<std::size_t, std::size_t> straight_;  // by step: index in arcs_
   std::map<std::pair<std::size_t, std::size_t>, std::size_t>
-      statements_;  // file and byte: likewise
+      statements_;  // by file and byte: index in arcs_
   std::vector<std::string> notes_;
 };
 

@@ -8,7 +8,7 @@
 namespace tool_path_programs {
 namespace {
 
-constexpr double kLeastHeight = 1e-6;  // [m] of the triangle: below it the circle is noise
+constexpr double kLeastHeight = 1e-6;  // [m] of the triangle: below it noise determines the circle
 
 }  // namespace
 

@@ -6,7 +6,7 @@
 
 namespace tool_path_programs {
 
-/// From the frame in which a move's pose stands to that of the program's path.
+/// Transforms from the frame of a move's pose to that of the program's path.
 class PathFrame {
  public:
   /// @param text must outlive it
@@ -14,7 +14,7 @@ class PathFrame {
   PathFrame(const ProgramText& text, bool in_base);
 
   /// @param step a move to a pose
-  /// @throw scan_cell_common::UnusableInput if the place of a frame is needed and not known
+  /// @throw scan_cell_common::UnusableInput if a frame's place is needed and unknown
   Eigen::Isometry3d operator()(std::size_t step) const;
 
  private:

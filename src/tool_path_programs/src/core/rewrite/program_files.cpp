@@ -11,7 +11,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// part.dat beside part.src, in either case of its ending.
+/// part.dat beside part.src, with the ending in either case.
 std::string companion(const fs::path& main, const std::string& ending) {
   for (const fs::directory_entry& entry :
        fs::directory_iterator(main.has_parent_path() ? main.parent_path() : fs::path(".")))

@@ -20,7 +20,7 @@ namespace {
 
 using scan_cell_common::UnusableInput;
 
-constexpr double kLongestArc = 100;  // [m] no robot goes so far in one; chosen
+constexpr double kLongestArc = 100;  // [m] no robot moves so far in one arc; chosen
 
 std::string where(const ProgramText& text, std::size_t step) {
   return to_string(text.steps[step].place, text.files);
@@ -46,7 +46,7 @@ class Maker {
   }
 
  private:
-  /// Where lines and arcs lead.
+  /// Collects where lines and arcs lead.
   void find_work() {
     for (std::size_t step = 0; step < text_.program.steps.size(); ++step) {
       const Move* move = std::get_if<Move>(&text_.program.steps[step]);
@@ -106,12 +106,12 @@ class Maker {
     if (!is_behind_via) add_via();
   }
 
-  /// [m] the sagitta of a chord s of a circle r is s^2 / 8 r.
+  /// [m] from the sagitta of a chord s of a circle r, s^2 / 8 r.
   double arc_step(const Circle& circle) const {
     return std::min(settings_.arc_step, std::sqrt(8 * circle.radius() * settings_.arc_chord_error));
   }
 
-  /// The tool turns evenly along an arc, to its end or to the via between.
+  /// The pose on an arc: the tool turns evenly to the end, or to the via and then to the end.
   Eigen::Isometry3d place_at(const ArcPlace& place, const Circle& circle,
                              const Eigen::Isometry3d& via, const Eigen::Isometry3d& to) const {
     const Eigen::Quaterniond from(last_->linear()), end(to.linear()), middle(via.linear());

@@ -14,13 +14,13 @@ const std::string& file_of(const ProgramText& text, std::size_t step) {
   return text.files.at(text.steps.at(step).place.file).text;
 }
 
-/// As the file has it.
+/// The line end that the file uses.
 std::string line_end(const std::string& file) {
   const std::size_t first = file.find('\n');
   return first != std::string::npos && first > 0 && file[first - 1] == '\r' ? "\r\n" : "\n";
 }
 
-/// What stands before a statement on its line, if it is nothing but blanks.
+/// The blanks before a statement; empty if anything else is before it on its line.
 std::string indentation(const std::string& file, std::size_t statement) {
   const std::size_t end = statement == 0 ? std::string::npos : file.rfind('\n', statement - 1);
   const std::size_t begin = end == std::string::npos ? 0 : end + 1;

@@ -11,7 +11,7 @@
 namespace tool_path_programs {
 namespace {
 
-/// -0.000 is 0.000.
+/// Turns -0.000 into 0.000.
 void drop_sign_of_zero(std::string& text) {
   if (text.front() == '-' && text.find_first_not_of("-0.") == std::string::npos) text.erase(0, 1);
 }

@@ -11,11 +11,11 @@
 
 namespace tool_path_programs {
 
-/// How a language's text falls into tokens. Blanks part them; ends of lines are tokens.
+/// How a language's text is split into tokens. Blanks separate them; line ends are tokens.
 struct LexicalRules {
-  std::vector<std::string> comment_marks;  //!< from there to the end of the line: ";", "--"
+  std::vector<std::string> comment_marks;  //!< begin a comment to the end of the line: ";", "--"
   std::string quotes;           //!< each opens a text that ends with the same one, doubled inside
-  std::string name_characters;  //!< of names, beside letters, digits and "_", such as "$"
+  std::string name_characters;  //!< allowed in names besides letters, digits and "_", such as "$"
 };
 
 enum class TokenKind {
@@ -23,12 +23,12 @@ enum class TokenKind {
   kNumber,   // without sign: 12, 0.5, .5, 1e-3
   kText,     // in quotes
   kSymbol,   // one character
-  kComment,  // with its mark, without the end of the line
+  kComment,  // with its mark, without the line end
   kLineEnd,
   kEnd,  // the last one
 };
 
-/// A piece of a file's text; valid as long as that is.
+/// A piece of a file's text; valid as long as the file's text is.
 struct Token {
   TokenKind kind = TokenKind::kEnd;
   std::string_view text;   // kText: with its quotes
@@ -38,7 +38,7 @@ struct Token {
 };
 
 /// @throw scan_cell_common::UnusableInput naming file and line of a quote that is not closed on its
-/// line, or a number that is none
+/// line, or of an invalid number
 std::vector<Token> tokens_of(const SourceFile& file, const LexicalRules& rules);
 
 }  // namespace tool_path_programs

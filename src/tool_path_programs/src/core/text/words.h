@@ -9,7 +9,7 @@ namespace tool_path_programs {
 
 using Words = std::set<std::string_view>;
 
-/// Of a list with blanks between them, which must outlive them.
+/// Splits a list at blanks; the list must outlive the words.
 Words words_of(std::string_view list);
 
 }  // namespace tool_path_programs

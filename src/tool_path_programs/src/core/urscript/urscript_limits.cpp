@@ -18,10 +18,10 @@ namespace {
 
 using scan_cell_common::UnusableInput;
 
-constexpr int kOutputs = 8;  // standard, and as many configurable ones
+constexpr int kOutputs = 8;  // standard ones, and as many configurable ones
 constexpr int kToolOutputs = 2;
 
-/// What the robot stands at, and how the way there ends.
+/// The move before, and its waypoint.
 struct Before {
   const Move* move = nullptr;
   std::size_t waypoint = 0;
@@ -103,7 +103,7 @@ class Limits {
     before_ = {&move, waypoint_};
   }
 
-  /// From the waypoint before.
+  /// Checks the way from the waypoint before.
   void check_way(const Move& move) const {
     if (!before_.move) {
       if (move.kind == MotionKind::kCircular)
@@ -130,7 +130,7 @@ class Limits {
           "which way round is open: put a waypoint between the two");
   }
 
-  /// Two zones that overlap: the controller leaves out a blend, or stops.
+  /// Refuses zones that overlap: the controller would leave out a blend, or stop.
   void check_blend(const Move& move) const {
     const double distance = (move.pose.translation() - before_.move->pose.translation()).norm();
     if (before_.move->zone == 0 && move.zone == 0) return;
@@ -143,7 +143,7 @@ class Limits {
                     largest_zone()));
   }
 
-  /// [mm] that would do for all waypoints but those that are stopped at.
+  /// [mm] the largest zone possible at all waypoints where the tool does not stop.
   std::string largest_zone() const {
     double zone = std::numeric_limits<double>::infinity();
     const auto moves = moves_of(program_);

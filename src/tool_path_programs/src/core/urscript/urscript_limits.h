@@ -6,18 +6,18 @@
 
 namespace tool_path_programs {
 
-/// Makes sure that URScript can say a program.
-/// @throw scan_cell_common::UnusableInput naming the first waypoint that it cannot say, and the
+/// Checks that URScript can express a program.
+/// @throw scan_cell_common::UnusableInput naming the first waypoint that it cannot express, and the
 /// cure
 void check_for_urscript(const Program& program, const WriteSettings& settings);
 
 /// The variable that holds a user frame; empty: poses are in the robot's base.
 std::string urscript_frame_name(const Frame& user);
 
-/// [rad/s] of a joint move at the whole speed of the axes.
+/// [rad/s] speed of a joint move at the full speed of the axes.
 constexpr double kUrscriptJointSpeed = 3.14159265358979;
 
-/// Digits behind the point of speeds [m/s], [rad/s] and zones [m].
+/// Decimals of speeds [m/s], [rad/s] and zones [m].
 constexpr int kUrscriptSpeedDigits = 6;
 
 }  // namespace tool_path_programs

@@ -86,7 +86,7 @@ class Writer {
       body_.push_back(fmt::format("movej({}, {}{})", with_posture(move, target), speed, zone));
   }
 
-  /// A joint move to a pose ends in the posture nearest to these angles.
+  /// With the angles that the posture at the end of a joint move is nearest to.
   std::string with_posture(const Move& move, const std::string& target) {
     if (!move.joints) {
       posture_is_open_ = true;
@@ -101,7 +101,7 @@ class Writer {
     return frame.empty() ? text : fmt::format("pose_trans({}, {})", frame, text);
   }
 
-  /// Of the variable that holds the frame; empty: poses are in the robot's base.
+  /// The variable that holds the frame; empty: poses are in the robot's base.
   std::string name_of(const Frame& user) {
     const std::string name = urscript_frame_name(user);
     if (name.empty()) return "";
@@ -154,8 +154,8 @@ class Writer {
     return text + "\n";
   }
 
-  /// Functions for all that is too long for the main one, which then calls them; and again, until
-  /// the calls are few enough.
+  /// Splits a main function that is too long into functions that it calls, and repeats this until
+  /// there are few enough calls.
   std::string parts() {
     std::string text;
     std::size_t part = 0;
@@ -184,7 +184,7 @@ class Writer {
   std::vector<std::string> notes_;
   std::set<std::string> known_notes_;
   std::set<std::string> known_frames_;
-  std::string tool_;  // the statement that set it
+  std::string tool_;  // the last set_tcp statement
   bool posture_is_open_ = false;
 };
 

@@ -75,7 +75,7 @@ bool ScriptExpressions::at_delimiter() const {
          reader_.at_symbol(']') || reader_.at_symbol(';') || reader_.at_symbol(':');
 }
 
-/// Of what only the controller can work out.
+/// Skips an expression that only the controller can evaluate.
 void ScriptExpressions::pass_rest() {
   std::size_t open = 0;
   while (!reader_.at_end() && (open > 0 || !at_delimiter())) {
@@ -85,7 +85,7 @@ void ScriptExpressions::pass_rest() {
   }
 }
 
-/// Within brackets an end of a line is a blank.
+/// Within brackets a line end counts as a blank.
 void ScriptExpressions::pass_lines() {
   while (!reader_.at_end() && reader_.at_line_end())
     reader_.next();
@@ -188,8 +188,8 @@ ScriptArguments ScriptExpressions::arguments() {
   return arguments;
 }
 
-/// A list of numbers in brackets; none where one is computed.
-/// @param plain of each: no more than a number with its sign
+/// A list of numbers in brackets; none if one is computed.
+/// @param plain for each: it is only a number with its sign
 std::optional<std::vector<double>> ScriptExpressions::numbers(std::vector<bool>& plain) {
   std::vector<double> numbers;
   bool known = true;

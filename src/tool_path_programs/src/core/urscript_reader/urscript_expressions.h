@@ -11,7 +11,7 @@
 
 namespace tool_path_programs {
 
-/// What a function is called with.
+/// The arguments of a call.
 struct ScriptArguments {
   std::vector<ScriptValue> positional;
   std::map<std::string, ScriptValue> named;
@@ -20,17 +20,17 @@ struct ScriptArguments {
   const ScriptValue* find(const std::string& name, std::size_t position) const;
 };
 
-/// Expressions of a script, as far as the text tells what they are.
+/// Evaluates expressions of a script, where the text gives their values.
 class ScriptExpressions {
  public:
   /// Both must outlive it.
   ScriptExpressions(TokenReader& reader, const ScriptVariables& variables)
       : reader_(reader), variables_(variables) {}
 
-  /// From the next token on, to where the expression ends.
+  /// Reads from the next token to the end of the expression.
   ScriptValue value();
 
-  /// From the opening bracket to beyond the closing one.
+  /// Reads from the opening bracket past the closing one.
   ScriptArguments arguments();
 
  private:

@@ -15,10 +15,10 @@
 namespace tool_path_programs {
 namespace {
 
-constexpr double kBlend = 0.0005;      // [m] past a pose between; chosen: far below a chord
-constexpr double kMostOfALine = 0.45;  // where two blends meet, the controller leaves out a move
+constexpr double kBlend = 0.0005;      // [m] at the poses between; chosen: far below a chord
+constexpr double kMostOfALine = 0.45;  // of a line; where two blends meet, a move is left out
 
-/// The arguments of movec by their names, as they are written.
+/// The arguments of movec by name, as written.
 std::map<std::string, std::string> arguments_of(const std::string& call) {
   static const std::vector<std::string> names = {"pose_via", "pose_to", "a", "v", "r", "mode"};
   const SourceFile source{"", call};
@@ -48,7 +48,7 @@ std::map<std::string, std::string> arguments_of(const std::string& call) {
   return arguments;
 }
 
-/// A pose in the frame in which the arc's end is.
+/// A pose in the frame of the arc's end.
 std::string script_literal(const ProgramText& text, std::size_t step, const Eigen::Isometry3d& pose,
                            const Eigen::Vector3d& near) {
   const Move& move = std::get<Move>(text.program.steps[step]);
@@ -76,7 +76,8 @@ double shortest_line(const ArcLines& arc, const Eigen::Isometry3d& end) {
   return shortest;
 }
 
-/// The blend of the move before, and of the arc's end, must end within the first and last line.
+/// Checks that the blends of the move before and of the arc's end lie within the first and last
+/// line.
 void check_blends(const ProgramText& text, std::size_t step, double line) {
   const std::size_t before = move_before(text, step).value();
   for (const std::size_t each : {before, step}) {

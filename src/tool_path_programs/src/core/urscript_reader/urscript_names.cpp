@@ -9,7 +9,7 @@
 namespace tool_path_programs {
 namespace {
 
-// No figure of the controller is public; names of programs on the pendant stay readable to there.
+// The controller's limit is not public; up to this length names stay readable on the pendant.
 constexpr std::size_t kLongestName = 64;
 
 // From the script manual's lists of functions (module motion, internals, urmath, interfaces).

@@ -7,19 +7,22 @@
 
 namespace tool_path_programs {
 
-/// What URScript keeps for itself and no program, function or variable may be called.
+/// Whether a word is reserved by URScript, so no program, function or variable may have it as a
+/// name.
 bool is_urscript_keyword(std::string_view word);
 
-/// Functions of the controller that neither move the robot to a place nor change its tool.
+/// Whether it is a controller function that neither moves the robot to a place nor changes its
+/// tool.
 bool is_urscript_function_without_motion(std::string_view name);
 
-/// Functions of the controller that move, or change what poses are of: movel, set_tcp, speedj.
+/// Whether it is a controller function that moves, or changes the frame of poses: movel, set_tcp,
+/// speedj.
 bool is_urscript_function_with_motion(std::string_view name);
 
-/// Why a name cannot stand in a script; empty: it can.
+/// Why a name is not allowed in a script; empty: it is.
 std::string fault_of_urscript_name(const std::string& name);
 
-/// The nearest name that can.
+/// The nearest allowed name.
 std::string urscript_name_like(const std::string& name);
 
 }  // namespace tool_path_programs

@@ -12,7 +12,7 @@
 namespace tool_path_programs {
 namespace {
 
-/// The six numbers of a pose where they stand.
+/// The six numbers of a pose, with their places in the text.
 class PoseNumbers {
  public:
   PoseNumbers(const SourceFile& file, std::size_t file_index)
@@ -49,7 +49,7 @@ Eigen::Vector3d values(const std::array<NumberText, 6>& numbers, std::size_t fir
   return {numbers[first].value, numbers[first + 1].value, numbers[first + 2].value};
 }
 
-/// Numbers that stay the same, to less than can be seen, keep their digits.
+/// Numbers that do not change visibly keep their digits.
 class PoseEdits {
  public:
   PoseEdits(PoseNumbers& numbers, std::vector<TextEdit>& edits)

@@ -15,11 +15,11 @@ namespace tool_path_programs {
 namespace {
 
 constexpr std::size_t kDeepest = 100;  // calls and loops within each other
-// Tokens that are gone through, calls followed: at least, and for each of the text.
+// Limit of tokens read, calls followed: at least this, and more in proportion to the text.
 constexpr std::size_t kMostTokens = 10'000'000;
 constexpr std::size_t kMostTokensEach = 50;
 
-/// How a stretch of statements ends.
+/// How a range of statements ends.
 enum class Flow { kGoesOn, kReturns, kEndsProgram };
 
 /// Follows a script in the order of its motion.
@@ -52,7 +52,7 @@ class Run {
 
   TokenReader& reader() { return readers_[file_]; }
 
-  /// The function that is the program: it is called, or the only one.
+  /// The function that is the program: the one called, or the only one.
   const ScriptFunction* main_function(const TokenRange& whole) {
     name_ = std::filesystem::path(files_[0].name).stem().string();
     for (const std::size_t call : script_.calls_in(whole)) {
@@ -128,7 +128,7 @@ class Run {
     return Flow::kGoesOn;
   }
 
-  /// A loop without end is followed once, other blocks are passed over.
+  /// Follows an endless loop once and skips other blocks.
   Flow block(std::size_t begin) {
     const TokenRange range{file_, begin, script_.end_of(file_, begin)};
     if (!script_.moves(range)) {
@@ -172,7 +172,7 @@ class Run {
       variables_.assign(name, value);
   }
 
-  /// Of nothing that a path needs, but it may change variables.
+  /// Skips a statement that a path does not need, but that may change variables.
   void pass_statement() {
     const std::size_t begin = reader().position();
     std::size_t open = 0;
@@ -186,7 +186,7 @@ class Run {
     pass_over(range);
   }
 
-  /// Without motions.
+  /// Skips a range without motions.
   void pass_over(const TokenRange& range) {
     check_calls(range);
     forget_what_changes(range);
@@ -199,7 +199,7 @@ class Run {
     check_calls(range);
   }
 
-  /// Every function is in the files, or known not to move.
+  /// Checks that every called function is in the files or known not to move.
   void check_calls(const TokenRange& range) {
     spend(range.end - range.begin);
     for (const std::size_t call : script_.calls_in(range))
@@ -214,7 +214,7 @@ class Run {
                  "give the file that has it, or name it as a call without motion");
   }
 
-  /// The variables that are set in a range, or in the functions that it calls, are computed now.
+  /// Variables set in a range, or in functions that it calls, count as computed from now on.
   void forget_what_changes(const TokenRange& range) {
     std::vector<TokenRange> open = {range};
     std::set<const ScriptFunction*> known;
@@ -232,7 +232,7 @@ class Run {
     }
   }
 
-  /// What may leave a function with motions early.
+  /// Forbids statements that may leave a function with motions early.
   void forbid_return(const TokenRange& range) {
     const std::vector<Token>& tokens = script_.tokens()[range.file];
     const bool is_loop = is_script_name(tokens[range.begin], "while");
@@ -302,8 +302,8 @@ class Run {
   std::vector<TokenReader> readers_;  // of each file
   std::size_t file_ = 0;
   std::size_t depth_ = 0;
-  std::size_t spent_ = 0;           // tokens
-  std::size_t most_ = kMostTokens;  // that may be
+  std::size_t spent_ = 0;           // tokens read
+  std::size_t most_ = kMostTokens;  // limit of tokens
   std::set<const ScriptFunction*> running_;
   std::string name_;
   bool main_is_called_ = false;

@@ -13,11 +13,11 @@ namespace {
 
 using Kind = ScriptValue::Kind;
 
-// Defaults of the manual where a call leaves them out.
+// The manual's defaults for arguments that a call leaves out.
 constexpr double kDefaultSpeed = 0.25;       // [m/s]
 constexpr double kDefaultJointSpeed = 1.05;  // [rad/s] of the leading axis
 
-// [rad/s] that is the whole speed of an axis: 180 degrees a second.
+// [rad/s] taken as the full speed of an axis: 180 degrees a second.
 constexpr double kAxisSpeed = M_PI;
 
 std::string key_of(const std::string& name, const PoseLiteral* literal) {
@@ -186,7 +186,7 @@ bool ScriptRecorder::output(const std::string& function, const ScriptArguments& 
   const ScriptValue* state = arguments.find("b", 1);
   if (which == nullptr || !which->is(Kind::kNumber) || state == nullptr || !state->is(Kind::kTruth))
     fail(function + " of a number or a state that is computed", "give a number, and True or False");
-  constexpr double kFirstOfTool = 8;  // of set_digital_out, as the manual has it
+  constexpr double kFirstOfTool = 8;  // of set_digital_out, from the manual
   const double number = which->number;
   std::string name = is_tool ? "tool_" : is_standard ? "" : "configurable_";
   if (function == "set_digital_out" && number >= kFirstOfTool)

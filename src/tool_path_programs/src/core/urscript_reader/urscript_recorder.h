@@ -12,15 +12,15 @@
 
 namespace tool_path_programs {
 
-/// What a script does, statement by statement, as a program.
+/// Records what a script does, statement by statement, as a program.
 class ScriptRecorder {
  public:
   /// @param settings must outlive it
   ScriptRecorder(const std::vector<SourceFile>& files, const ReadSettings& settings);
 
-  /// A call that moves, switches an output or changes the tool.
-  /// @param call where it stands, from its name to its closing bracket
-  /// @return whether it is one
+  /// Records a call that moves, switches an output or changes the tool.
+  /// @param call bytes from its name to its closing bracket
+  /// @return whether it is such a call
   /// @throw scan_cell_common::UnusableInput naming file and line of what cannot be resolved
   bool record(const std::string& function, const ScriptArguments& arguments, const Place& place,
               const ByteRange& call);
@@ -49,7 +49,7 @@ class ScriptRecorder {
   Place place_;     // of the statement
   ByteRange call_;  // likewise
   Frame tool_;
-  std::string tool_key_;  // the same for the same tool
+  std::string tool_key_;  // equal for equal tools
   std::map<LiteralId, std::size_t> poses_;
   std::set<LiteralId> frame_literals_;
   std::map<std::pair<std::string, std::string>, std::size_t> frames_;  // by keys of tool and user

@@ -129,7 +129,8 @@ std::set<std::string> Script::assigned_in(const TokenRange& range) const {
   std::set<std::string> names;
   const std::vector<Token>& tokens = tokens_[range.file];
   visit(range, [&](std::size_t at) {
-    // a[1] = and a.x = change a; named arguments look alike and only make a reader more careful
+    // a[1] = and a.x = change a; named arguments look alike, which only makes the reader more
+    // careful
     constexpr std::size_t kFarthest = 32;
     std::size_t after = at + 1;
     while (after < std::min(range.end, at + kFarthest) && !is_script_symbol(tokens[after], '=') &&

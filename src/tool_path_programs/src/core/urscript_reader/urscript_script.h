@@ -12,11 +12,11 @@
 
 namespace tool_path_programs {
 
-/// A stretch of the tokens of a file.
+/// A range of tokens in a file.
 struct TokenRange {
   std::size_t file = 0;
   std::size_t begin = 0;
-  std::size_t end = 0;  //!< the first that does not belong to it
+  std::size_t end = 0;  //!< one past the last token
 };
 
 /// A function, thread or secondary program in a script.
@@ -25,13 +25,12 @@ struct ScriptFunction {
   std::vector<std::string> parameters;
   TokenRange body;
   bool is_thread = false;     //!< runs beside the program
-  bool is_outermost = false;  //!< not within another function
-  bool moves = false;         //!< it, or what it calls
+  bool is_outermost = false;  //!< not inside another function
+  bool moves = false;         //!< itself, or what it calls
   bool acts = false;          //!< moves or switches an output
 };
 
-/// What stands where in the files of a script. Blocks are matched with their ends, functions are
-/// found, and whether they move.
+/// The structure of a script's files: blocks with their ends, functions, and whether they move.
 class Script {
  public:
   /// @param files must outlive it
@@ -43,19 +42,19 @@ class Script {
   const std::vector<ScriptFunction>& functions() const { return functions_; }
   TokenRange whole(std::size_t file) const { return {file, 0, tokens_[file].size() - 1}; }
 
-  /// None of that name: null.
+  /// null: no function has that name.
   /// @throw scan_cell_common::UnusableInput at `place` if there are several
   const ScriptFunction* function(std::string_view name, const Place& place) const;
 
-  /// The token `end` of the block that begins there.
+  /// The token `end` of the block that begins at `opening`.
   std::size_t end_of(std::size_t file, std::size_t opening) const;
 
-  /// The first token of what is called in a range, functions defined in it apart.
+  /// The first token of each call in a range; functions defined there are left out.
   std::vector<std::size_t> calls_in(const TokenRange& range) const;
-  /// Names that get another value in a range, functions defined in it apart.
+  /// Names assigned in a range; functions defined there are left out.
   std::set<std::string> assigned_in(const TokenRange& range) const;
 
-  bool moves(const TokenRange& range) const;  //!< it, or what it calls
+  bool moves(const TokenRange& range) const;  //!< itself, or what it calls
 
   Place place(std::size_t file, std::size_t token) const;
   [[noreturn]] void fail(const Place& place, const std::string& value,

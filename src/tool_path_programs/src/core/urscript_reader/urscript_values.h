@@ -14,7 +14,7 @@
 
 namespace tool_path_programs {
 
-/// A pose in a script, p[x, y, z, rx, ry, rz], and where it stands.
+/// A pose in a script, p[x, y, z, rx, ry, rz], and its place in the text.
 struct PoseLiteral {
   Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();  // [m]
   Place place;
@@ -22,7 +22,7 @@ struct PoseLiteral {
   bool has_numbers = true;  // false: one of the six is computed
 };
 
-/// What an expression of a script is, as far as the text tells.
+/// The value of an expression of a script, where the text gives it.
 struct ScriptValue {
   enum class Kind {
     kComputed,  // at run time
@@ -36,8 +36,8 @@ struct ScriptValue {
   std::string name;                         // of the variable that holds it; empty: none
   double number = 0;                        // of kNumber; of kTruth 0 or 1
   PoseLiteral pose;                         // of kPose
-  Frame user;                               // of kPose: what it is in
-  std::optional<PoseLiteral> user_literal;  // where that frame stands
+  Frame user;                               // of kPose: its frame
+  std::optional<PoseLiteral> user_literal;  // where the text has that frame
   std::vector<double> joints;               // of kJoints; empty: some are computed
 
   bool is(Kind wanted) const { return kind == wanted; }
@@ -46,22 +46,22 @@ struct ScriptValue {
 /// The variables of a script while it runs.
 class ScriptVariables {
  public:
-  /// Of that name, or kFree.
+  /// The variable's value, or kFree.
   ScriptValue value(const std::string& name) const;
 
-  /// Where it is known, or else in the function that runs.
+  /// Assigns where the variable is known, or else in the running function.
   void assign(const std::string& name, ScriptValue value);
   void assign_globally(const std::string& name, ScriptValue value);
   void assign_locally(const std::string& name, ScriptValue value);
 
-  /// From here on it is computed.
+  /// From here on its value is computed.
   void forget(const std::string& name);
-  /// At any time it is computed: a thread sets it.
+  /// Its value is computed at all times: a thread sets it.
   void forget_for_ever(const std::string& name) { changing_.insert(name); }
 
   using Locals = std::map<std::string, ScriptValue>;
-  /// Those of a function that begins.
-  /// @return those of the one that called it
+  /// Sets the variables of a function that begins.
+  /// @return those of its caller
   std::optional<Locals> begin_function(Locals parameters);
   void end_function(std::optional<Locals> of_caller) { locals_ = std::move(of_caller); }
 

@@ -34,7 +34,7 @@ std::vector<std::size_t> elements_at(TokenReader& reader) {
   return elements;
 }
 
-/// They are data whose value the text does not say. The opening bracket is passed already.
+/// Parameters are data whose values are not in the text. Reads from after the opening bracket.
 void read_parameters(TokenReader& reader, RapidRoutine& routine) {
   RapidData parameter;
   parameter.file = routine.file;
@@ -80,7 +80,7 @@ void RapidSource::read(std::size_t file) {
   bool found = false;
   while (!reader.at_end()) {
     if (!reader.accept("MODULE")) {
-      reader.next();  // the header that controllers put before it
+      reader.next();  // the header that controllers write first
       continue;
     }
     found = true;

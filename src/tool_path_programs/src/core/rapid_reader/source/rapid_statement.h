@@ -10,10 +10,10 @@
 
 namespace tool_path_programs {
 
-/// An argument of a call, as places among the tokens.
+/// An argument of a call, as a range of tokens.
 struct RapidArgument {
   std::size_t begin = 0;
-  std::size_t end = 0;  //!< behind its last token
+  std::size_t end = 0;  //!< one past its last token
 };
 
 /// The call of an instruction or a routine.
@@ -21,19 +21,19 @@ struct RapidCall {
   std::string name;  //!< as written
   Place place;
   std::vector<RapidArgument> arguments;
-  std::map<std::string, RapidArgument> options;  //!< \WObj:=.., by names in lower case
+  std::map<std::string, RapidArgument> options;  //!< \WObj:=.., by name in lower case
 };
 
-/// From the routine's name to behind its semicolon.
+/// Reads from the routine's name past its semicolon.
 RapidCall read_rapid_call(TokenReader& reader);
 
 /// Whether an assignment begins here: name := .., name.part := .., name{..} := ..
 bool at_rapid_assignment(TokenReader reader);
 
-/// Over one expression: IF's condition has no mark at its end where no THEN follows.
+/// Skips one expression: the condition of an IF without THEN has no end mark.
 void pass_over_rapid_expression(TokenReader& reader);
 
-/// Behind the next semicolon.
+/// Goes past the next semicolon.
 void pass_over_rapid_statement(TokenReader& reader);
 
 }  // namespace tool_path_programs

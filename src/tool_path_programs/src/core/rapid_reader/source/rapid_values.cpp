@@ -90,7 +90,7 @@ std::optional<Eigen::Isometry3d> read_wobjdata(TokenReader& reader) {
   reader.expect(',');
   const bool fixed = read_bool(reader);
   reader.expect(',');
-  pass_over_brackets(reader);  // the name of the machine that moves it
+  pass_over_brackets(reader);  // the machine that moves the work object
   reader.expect(',');
   const Eigen::Isometry3d user = read_rapid_pose(reader).pose();
   reader.expect(']');
