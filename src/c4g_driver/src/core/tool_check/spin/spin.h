@@ -23,7 +23,8 @@ struct Spin {
 std::optional<Spin> search_spin(const SpinArm& arm, const std::vector<SpinNode>& nodes,
                                 const Joints& start, bool begins_there);
 
-/// The same turns off the grid, with less cost: steps of Gauss and Newton while it gets less.
+/// The same turns off the grid at less cost: damped Newton steps (Levenberg 1944) while the cost
+/// falls.
 void refine_spin(const SpinArm& arm, const std::vector<SpinNode>& nodes, bool begins_there,
                  Spin& spin);
 
