@@ -12,11 +12,9 @@ namespace tool_path_stretcher {
 struct Agreement {
   double known = 0;         //!< share of known points, the lower of the two surfaces'
   double object_known = 0;  //!< share of the object's points that are known
-  double agreeing =
-      0;  //!< share of known points that lie on the other surface, the lower of the two
-  double noise =
-      0;  //!< [m] robust standard deviation of the object's known points, or the resolution
-  double cost = 0;  //!< [m] RMS capped distance of all points; unknown points count a middling one
+  double agreeing = 0;      //!< share of known points that lie on the other surface, likewise
+  double noise = 0;  //!< [m] robust deviation of the object's known points, or the resolution
+  double cost = 0;   //!< [m] RMS capped distance of all points; unknown points count a middling one
   std::vector<double> object_off;     //!< [m] of the known points; 0 where an edge may be the cause
   std::vector<double> reference_off;  //!< [m] the same of the reference's
 
