@@ -14,15 +14,15 @@ namespace tool_path_stretcher {
 /// reference is a part of one.
 struct PathDistances {
   std::vector<double> far;   //!< [m] of each waypoint from the surface
-  std::vector<bool> in_air;  //!< of each waypoint, over all segments: no surface is beside it
-  double reach = 0;          //!< [m] greatest distance of a touching waypoint from the surface
+  std::vector<bool> in_air;  //!< of each waypoint, over all segments: no surface beside it
+  double reach = 0;          //!< [m] a touching path may be this far off its surface
 };
 
 /// Finds the waypoints in the air: approach, retract, bridges over openings, ends past the rim.
-/// Such a waypoint is more than twice as far off as its segment is led over the surface, and
-/// farther than the surface may be inferred: `max_hole_distance`, or two spacings if those are
-/// more. A segment is led over the surface if nine of ten of its waypoints do not touch and their
-/// median distance is at most `max_stand_off`.
+/// Such a waypoint is farther off than the distance at which its segment is led over the surface,
+/// by more than that distance again, and by more than the surface may be inferred:
+/// `max_hole_distance`, or two spacings if those are more. A segment is led over the surface if
+/// nine of ten of its waypoints do not touch and their median distance is at most `max_stand_off`.
 PathDistances distances_of(const ToolPath& path, const Surface& reference,
                            const StretchParameters& parameters);
 

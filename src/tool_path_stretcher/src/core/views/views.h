@@ -15,8 +15,7 @@ struct Attempt {
   bool whole = true;                       //!< all of the reference
   StretchResult result;                    //!< with its verdict
   std::vector<Candidate> candidates = {};  //!< the poses found, best first
-  std::vector<Fitted> fitted =
-      {};  //!< mappings that explain the object, best first; empty: none does
+  std::vector<Fitted> fitted = {};         //!< those that explain the object, best first
 };
 
 /// The views from which a closed reference may have been seen. The object's pose comes from an
