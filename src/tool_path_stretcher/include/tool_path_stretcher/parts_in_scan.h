@@ -19,12 +19,13 @@ struct FoundPart {
 /// The parts of a scan that a reference explains.
 struct PartsInScan {
   std::vector<FoundPart> parts;  //!< one: the part; several: they look alike
-  std::string why_none;          //!< why the best match was refused; empty if a part was found
+  std::string why_none;  //!< why the largest thing is not the part; empty if a part was found
 };
 
 /// Searches a scan of several things for the reference's part, with the registration and the
-/// verdicts of stretch(). Tries each thing alone, largest first, then all of them together. Pieces
-/// torn off the part, or taken for separate things, are found by where the reference lies.
+/// verdicts of stretch(). Tries each thing alone, largest first; if none fits, all of them
+/// together. Pieces torn off the part, or taken for separate things, are found by where the
+/// reference lies.
 /// @param scan [m] without the floor
 /// @param things indices of the scan points of each thing
 /// @throw scan_cell_common::UnusableInput if the scan is unusable

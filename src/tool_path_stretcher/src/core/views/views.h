@@ -12,7 +12,7 @@ namespace tool_path_stretcher {
 
 /// One attempt to adapt a path: with the whole reference, or with its visible part.
 struct Attempt {
-  bool whole = true;                       //!< all of the reference
+  bool whole = true;                       //!< the whole reference
   StretchResult result;                    //!< with its verdict
   std::vector<Candidate> candidates = {};  //!< the poses found, best first
   std::vector<Fitted> fitted = {};         //!< those that explain the object, best first
