@@ -16,7 +16,7 @@ namespace {
 
 using scan_cell_common::kMillimetres;
 constexpr std::size_t kMaxMended = 64;  // sweeps: a system of 384 unknowns; chosen
-// [m] lever arm: half of the depth range, at the usual distance, in which a laser's points have that
+// [m] lever arm: half of the depth range at the usual distance in which a laser's points have that
 // uncertainty; chosen
 constexpr double kLever = 0.1;
 constexpr double kMaxDeviations = 3;  // of a motion along each axis (99.7 %); chosen
