@@ -11,9 +11,8 @@ namespace cloud_preprocess {
 
 /// Size and density of a cloud.
 struct CloudSize {
-  Eigen::Vector3d extent =
-      Eigen::Vector3d::Zero();  //!< along x, y, z, without a few outermost points
-  double spacing = 0;           //!< typical distance between neighbouring points; 0: unknown
+  Eigen::Vector3d extent = Eigen::Vector3d::Zero();  //!< along x, y, z, without a few outermost
+  double spacing = 0;  //!< typical distance between neighbouring points; 0: unknown
 };
 
 /// Measures the finite points within the limits of all stages; zero if there are none.

@@ -48,11 +48,10 @@ struct Samples {
 
 /// A surface given by points with normals.
 struct Surface {
-  Points points;   //!< [m]
-  Points normals;  //!< unit length
-  bool oriented =
-      false;  //!< all normals point out of the part (meshes); otherwise their signs are arbitrary
-  bool closed = false;  //!< a mesh that shows the part from all sides: no scan sees all of it
+  Points points;          //!< [m]
+  Points normals;         //!< unit length
+  bool oriented = false;  //!< all normals point out of the part (meshes); false: any sign
+  bool closed = false;    //!< a mesh that shows the part from all sides: no scan sees all of it
   /// Unit vectors towards the viewers of the scan; empty: unknown.
   Points seen_from;
   /// [m] of each point: uncertainty of the surface there due to sampling and grid. This is the

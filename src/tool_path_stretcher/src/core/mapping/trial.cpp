@@ -89,9 +89,8 @@ double common_share(const Surface& reference, const std::vector<Residual>& resid
     Eigen::Index axis = 0;
     normal.cwiseAbs().maxCoeff(&axis);
     Patch& patch = patches[{cell_of(residual.pulled_back, kCell * reference.size), axis}];
-    const double error =
-        std::copysign(1.0, normal[axis]) *  // the sign of a cloud's normal is arbitrary
-        std::clamp(residual.along_normal, -cut, cut);
+    const double error = std::copysign(1.0, normal[axis]) *  // a cloud's normal has any sign
+                         std::clamp(residual.along_normal, -cut, cut);
     patch.count += 1;
     patch.sum += error;
     patch.squares += error * error;

@@ -19,8 +19,8 @@ Similarity at_scale(const Similarity& start, double scale, const Eigen::Vector3d
   return {scale, start.rotation, centre + growth * (start.translation - centre)};
 }
 
-/// Share of inliers in both directions, measured in the object's frame so that a shrunken reference
-/// gains nothing. Nearer inliers count more, since many scales reach all of them.
+/// Shares of inliers in both directions, measured in the object's frame so that a shrunken
+/// reference gains nothing. Nearer inliers count more, since many scales reach all of them.
 double score_of(const SurfacePair& surfaces, const Similarity& similarity, double inlier_distance) {
   const Explanation explanation = explain(surfaces, {similarity, {}}, inlier_distance);
   const auto share = [inlier_distance](const std::vector<double>& distances) {

@@ -14,8 +14,7 @@
 namespace tool_path_stretcher {
 namespace {
 
-constexpr double kGrazing =
-    0.17;  // cosine: 80 degrees; a laser line on a steeper face is not found
+constexpr double kGrazing = 0.17;  // cosine: 80 degrees; a line on a steeper face is not found
 // Sine of 20 degrees: a viewer is not at infinity, and also sees walls parallel to the mean
 // direction.
 constexpr double kBeside = 0.34;

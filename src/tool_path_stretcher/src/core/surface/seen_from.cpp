@@ -12,8 +12,7 @@
 namespace tool_path_stretcher {
 namespace {
 
-constexpr double kApart =
-    0.94;  // cosine: 20 degrees, within which hidden areas change little; chosen
+constexpr double kApart = 0.94;  // cosine: 20 degrees, where hidden areas change little; chosen
 
 struct Cluster {
   Eigen::Vector3d sum;
