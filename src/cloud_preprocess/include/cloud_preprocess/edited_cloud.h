@@ -21,7 +21,7 @@ class EditedCloud {
 
   const Cloud& source() const { return source_; }                   //!< [m] as it came
   const std::vector<CloudEdit>& edits() const { return done_; }     //!< active edits, in order
-  const std::vector<CloudEdit>& undone() const { return undone_; }  //!< the next one to redo last
+  const std::vector<CloudEdit>& undone() const { return undone_; }  //!< next to redo is last
   Indices kept() const;                                             //!< by the active edits
   std::size_t count() const { return count_; }                      //!< of points kept
   std::vector<std::size_t> counts() const;  //!< of points that each active edit removed

@@ -46,7 +46,7 @@ struct ProfileView {
   std::uint8_t pass = 0;             //!< of the scan, from 0
 };
 
-/// Which peaks become points. A width or intensity of NaN passes only infinite limits.
+/// Limits of the peaks that become points. A width or intensity of NaN passes only infinite limits.
 struct PeakLimits {
   double min_width = 0;                                            //!< [px]
   double max_width = std::numeric_limits<double>::infinity();      //!< [px]
@@ -69,7 +69,7 @@ struct PeakCounts {
   std::uint64_t by_intensity = 0;       //!< outside of the limits
   std::uint64_t by_range = 0;           //!< outside of the limits
 
-  /// Peaks that became no point.
+  /// Peaks that did not become points.
   std::uint64_t rejected() const { return outside_sensor + by_width + by_intensity + by_range; }
 };
 

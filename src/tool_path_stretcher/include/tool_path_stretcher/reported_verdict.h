@@ -24,7 +24,7 @@ FileRecord record_of(const std::string& file, const std::string& units);
 /// The parts of a report that other programs use, and those that identify the run it belongs to.
 struct ReportedVerdict {
   bool accepted = false;                 //!< whether there is a path
-  std::string reason;                    //!< as to_string(Reason) writes it
+  std::string reason;                    //!< as written by to_string(Reason)
   std::string message;                   //!< for a person
   std::vector<std::size_t> waypoints;    //!< concerned, counted over all segments
   std::vector<Similarity> similarities;  //!< best first; empty if the run did not get that far
@@ -43,7 +43,7 @@ struct ReportedVerdict {
 };
 
 /// Reads a report of stretch (docs/tool_path_stretcher.md).
-/// @throw scan_cell_common::FileError, scan_cell_common::UnusableInput if the file is no report
+/// @throw scan_cell_common::FileError, scan_cell_common::UnusableInput if the file is not a report
 ReportedVerdict load_report(const std::string& path);
 
 }  // namespace tool_path_stretcher

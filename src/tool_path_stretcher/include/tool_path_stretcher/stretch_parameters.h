@@ -23,7 +23,7 @@ enum class Method {
 
 std::string to_string(Method method);  //!< as written in parameters
 
-/// @throw scan_cell_common::InvalidParameter if it is none of them
+/// @throw scan_cell_common::InvalidParameter if there is no such method
 Method method_from_string(const std::string& name);
 
 /// How to treat the distance of a path that does not touch the surface.

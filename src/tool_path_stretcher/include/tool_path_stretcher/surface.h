@@ -76,7 +76,7 @@ struct Surface {
 /// Makes a surface from a cloud. Reduces its points on the grid, or on a coarser one that leaves at
 /// most 50,000, and estimates normals from the neighbours.
 /// @param name of the cloud in errors
-/// @param seen_from as directions_seen_from() gives it
+/// @param seen_from as returned by directions_seen_from()
 /// @throw scan_cell_common::UnusableInput if the cloud is empty, has points that are not finite, or
 /// lies on one line
 Surface surface_from_cloud(const Points& cloud, const Eigen::Vector3d& leaf,

@@ -29,7 +29,7 @@ struct Pair {
 /// Pairs nearest points in the object's frame, without the worst pairs.
 void match(const CoarsePair& surfaces, const Similarity& similarity, std::vector<Pair>& forth,
            std::vector<Pair>& back) {
-  // A scan may show only one side of the reference, but only what is on the reference.
+  // A scan may show only one side of the reference, but nothing that is not on it.
   constexpr double kObjectShare = 0.9;     // of the pairs; chosen
   constexpr double kReferenceShare = 0.6;  // of the pairs; chosen
   const auto& [reference, object] = surfaces;

@@ -18,11 +18,11 @@ struct PathDistances {
   double reach = 0;          //!< [m] a touching path may be this far off its surface
 };
 
-/// Finds the waypoints in the air: approach, retract, bridges over openings, ends past the rim.
-/// Such a waypoint is farther off than the distance at which its segment is led over the surface,
-/// by more than that distance again, and by more than the surface may be inferred:
-/// `max_hole_distance`, or two spacings if those are more. A segment is led over the surface if
-/// nine of ten of its waypoints do not touch and their median distance is at most `max_stand_off`.
+/// Finds the waypoints in the air: approach, retract, bridges over openings, ends past the rim. A
+/// segment is led over the surface at a distance d if nine of ten of its waypoints do not touch and
+/// their median distance d is at most `max_stand_off` plus a spacing; otherwise d is 0. A waypoint
+/// is in the air if it is farther off than d by more than d again and by more than the surface may
+/// be inferred: `max_hole_distance`, or two spacings if those are more.
 PathDistances distances_of(const ToolPath& path, const Surface& reference,
                            const StretchParameters& parameters);
 

@@ -184,7 +184,7 @@ void check_overlap(const Fitted& best, const StretchParameters& parameters) {
 
 void check_deformation(const Surface& reference, const Mapping& mapping,
                        const StretchParameters& parameters) {
-  constexpr double kShare = 0.95;  // of the surface: as max_deformation is defined
+  constexpr double kShare = 0.95;  // of the surface: as in max_deformation_ratio
   if (mapping.graph.empty()) return;
   std::vector<double> moved;
   for (const std::size_t i : reference.samples.few)
