@@ -13,7 +13,7 @@
 
 namespace cloud_preprocess {
 
-/// A scan as it comes: a leaning floor, a frame (the part), a box, outliers.
+/// A raw scan: a leaning floor, a frame (the part), a box, outliers.
 inline Scene raw_scan() {
   Scene scene;
   scene.add_floor({0, 0, 0.30, 0.25}, {kFrame, kBox});
@@ -25,7 +25,7 @@ inline Scene raw_scan() {
   return scene;
 }
 
-/// The command beside a raw scan in a folder of its own.
+/// The command with a raw scan in a temporary folder.
 class CleanCloudTool : public testing::Test {
  protected:
   void SetUp() override {
@@ -36,7 +36,7 @@ class CleanCloudTool : public testing::Test {
 
   std::string path(const std::string& name) const { return (folder_ / name).string(); }
 
-  /// Exit code; what it prints goes to out.txt.
+  /// Runs the command and returns its exit code; its output goes to out.txt.
   int run(const std::string& arguments) const {
     const std::string command =
         std::string(CLEAN_CLOUD) + " " + arguments + " > " + path("out.txt") + " 2>&1";

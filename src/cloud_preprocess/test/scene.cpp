@@ -63,7 +63,7 @@ void Scene::add_frame(const Rectangle& frame) {
       } else if (inside < kMoulding) {
         height = kTop + (kRebate - kTop) * (inside - kRise) / (kMoulding - kRise);
       }
-      // Within three standard deviations of the margin either answer is right.
+      // Within three standard deviations of the margin, either answer is right.
       add(x + noise(), y + noise(), height + noise(),
           height > kMargin + 3 * kNoise ? Label::kPart : Label::kFoot);
     }

@@ -19,7 +19,7 @@ bool is_on(const pcl::PointXYZ& point, const Scene::Rectangle& box) {
   return box.inside(point.x, point.y) > -0.001;
 }
 
-/// Explains what stands in rectangles, and says that it lies there.
+/// A finder that explains what stands in given rectangles, and says that the reference lies there.
 class KnownPlaces final : public ReferenceFinder {
  public:
   explicit KnownPlaces(std::vector<Scene::Rectangle> places) : places_(std::move(places)) {}

@@ -75,7 +75,7 @@ TEST(Clean, LeavesEachObjectOfARawScan) {
   EXPECT_EQ(scene.share_in(objects[0].cloud(), Label::kOtherPart), 0.0);
   EXPECT_GE(scene.share_in(objects[1].cloud(), Label::kOtherPart), 0.99);
   EXPECT_EQ(scene.share_in(objects[1].cloud(), Label::kPart), 0.0);
-  EXPECT_EQ(objects[0].sources(), cloud.sources());  // the larger one is the one asked for
+  EXPECT_EQ(objects[0].sources(), cloud.sources());  // the larger one is the requested one
 }
 
 TEST(CleanParameters, AreTheDefaultsInTheShippedFile) {

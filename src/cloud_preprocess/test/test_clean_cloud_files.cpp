@@ -43,7 +43,7 @@ Cloud small_part() {
   return cloud;
 }
 
-/// Each point with a number of its own, its x in the file's unit.
+/// Marks each point with its own number: its x in the file's unit.
 scan_cell_common::FieldedCloud marked(const Cloud& cloud) {
   scan_cell_common::FieldedCloud result;
   for (const char* const name : {"x", "y", "z", "mark"}) {
@@ -65,7 +65,7 @@ class CleanCloudFiles : public CleanCloudTool {
     return "--input " + path(input) + " --output " + path(output) + " ";
   }
 
-  /// A box of kHeight in that unit, and nothing else.
+  /// Expects a box of kHeight in that unit, and nothing else.
   void expect_box(const std::string& output, const std::string& unit, int exit_code) const {
     ASSERT_EQ(exit_code, 0) << printed();
     pcl::PointXYZ least, most;

@@ -52,7 +52,7 @@ void expect_only_the_floor_is_gone(const Scene& scene, const FloorParameters& pa
   EXPECT_EQ(scene.share_in(left, Label::kPart), 1.0);
 }
 
-/// Turned anyhow: a few that are easily thought of, then at random, always the same.
+/// Orientations: a few obvious ones, then random ones with a fixed seed.
 std::vector<Eigen::Quaternionf> orientations() {
   std::vector<Eigen::Quaternionf> all;
   for (const float degrees : {10.0F, 30.0F, 90.0F, 180.0F, 270.0F}) {

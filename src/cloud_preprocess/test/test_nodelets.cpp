@@ -30,7 +30,7 @@ const char* const kStages[] = {"floor", "outliers", "isolate", "grid"};
 const char* const kNodelets[] = {"floor",   "outliers",  "isolate", "grid",
                                  "ceiling", "elsewhere", "whole"};
 
-/// The chain of nodelets.test, with everything it has published.
+/// The chain of nodelets.test, with everything that it published.
 class Chain : public testing::Test {
  protected:
   void SetUp() override {
@@ -66,7 +66,7 @@ class Chain : public testing::Test {
     return {};
   }
 
-  /// The stage's report on what this test sent.
+  /// The stage's report on this test's cloud.
   PreprocessReport::ConstPtr report(const std::string& stage) {
     return wait_for([&] { return of_this_test(reports_[stage]); });
   }
@@ -195,7 +195,7 @@ TEST_F(Chain, KeepsWhatEachPointCarries) {
   scene.add_box(box, 0.03);
   const PointCloud2 message = scan_cell_common::to_message(scene.cloud(), {});
   const scan_cell_common::CloudView cloud = scan_cell_common::view_of(message);
-  // Behind x, y and z the point's own x again: it tells where it came from.
+  // After x, y and z, the point's own x again, which shows where it came from.
   scan_cell_common::FieldedCloud marked{cloud.fields, cloud.step + sizeof(float), {}};
   marked.fields.push_back(
       {"mark", scan_cell_common::FieldType::kFloat32, static_cast<std::size_t>(cloud.step)});
@@ -323,7 +323,8 @@ TEST(Nodelets, RefuseToStartOnABadParameterByItsName) {
   };
   EXPECT_NE(said_by("Floor __name:=bad_floor _margin:=-1").find("/bad_floor/margin"),
             std::string::npos);
-  ros::param::set("/lost_floor/up", std::vector<double>{0, 0, 0});  // no list on a command line
+  ros::param::set("/lost_floor/up",
+                  std::vector<double>{0, 0, 0});  // a command line cannot give a list
   EXPECT_NE(said_by("Floor __name:=lost_floor").find("up: (0, 0, 0)"), std::string::npos);
   EXPECT_NE(said_by("Outliers __name:=bad_outliers _neighbors:=4").find("/bad_outliers/neighbors"),
             std::string::npos);

@@ -22,7 +22,7 @@ using scan_cell_common::UnusableInput;
 
 namespace {
 
-/// Two boxes side by side along x, 20 mm apart, the larger one (kPart) right, and outliers.
+/// Two boxes side by side along x, 20 mm apart, the larger one (kPart) on the right, and outliers.
 Scene two_boxes() {
   Scene scene;
   scene.add_box({-0.06, 0, 0.06, 0.05}, 0.03, Label::kOtherPart);
@@ -109,7 +109,7 @@ TEST(ObjectIsolation, JoinsAcrossGapsBelowTheGivenOneOnly) {
 }
 
 TEST(ObjectIsolation, FindsTheLargestClusterOfPcl) {
-  // Blobs whose gaps are all clearly larger or clearly smaller than the one asked for.
+  // Blobs whose gaps are all clearly larger or clearly smaller than the requested one.
   Cloud cloud;
   std::mt19937 generator(3);
   std::normal_distribution<float> normal(0, 0.004F);

@@ -40,7 +40,7 @@ bool is_before(const pcl::PointXYZ& a, const pcl::PointXYZ& b) {
 }
 
 /// A level face of 50 x 50 mm and a flank 20 mm down from one of its edges.
-/// @param face, flank [m] from point to point
+/// @param face, flank [m] distances between points
 Cloud face_and_flank(double face, double flank) {
   Cloud cloud;
   const auto add = [&](double x, double y, double z) {

@@ -12,8 +12,8 @@ namespace {
 constexpr double kRib = 0.03;     // [m] height of the piece on the left
 constexpr double kPlate = 0.008;  // of the one on the right
 
-/// A rib, right of it `shadow` [m] in which nothing was seen, and a plate. Of the `gap` between
-/// them the floor was seen where it is not in shadow.
+/// A rib, a plate, and a `gap` between them, of which `shadow` [m] right of the rib was not seen.
+/// Outside the shadow, the floor in the gap was seen.
 Scene torn_part(double gap, double shadow, Label plate = Label::kPart, double rib = kRib) {
   const Scene::Rectangle left{-0.05, 0, 0.06, 0.08};
   const Scene::Rectangle right{-0.02 + gap + 0.03, 0, 0.06, 0.08};
@@ -25,7 +25,7 @@ Scene torn_part(double gap, double shadow, Label plate = Label::kPart, double ri
   return scene;
 }
 
-/// @param[out] said of the stage isolate
+/// @param[out] said message of the stage isolate
 Cloud isolated(const Scene& scene, const IsolationParameters& isolate, std::string& said) {
   CleanParameters parameters;
   parameters.outliers.automatic = false;
@@ -64,7 +64,7 @@ TEST(Shadows, JoinNoNeighbourBehindFloorThatIsSeen) {
 }
 
 TEST(Shadows, ReachNoFurtherThanThePartIsHigh) {
-  const double low = 0.01;  // no shadow of it is 30 mm long
+  const double low = 0.01;  // its shadow cannot be 30 mm long
   const Scene scene = torn_part(0.03, 0.03, Label::kOtherPart, low);
   EXPECT_EQ(share(scene, Label::kOtherPart), 0.0);
 }

@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::size_t kRows = 10;
 
-/// One laser whose plane holds the camera's axis x = 0 at z = 0.5 m.
+/// One laser whose plane meets the camera's axis at z = 0.5 m.
 scan_cell_common::ScannerModel scanner() {
   scan_cell_common::ScannerModel model;
   model.camera.width = model.camera.height = 1000;
@@ -47,7 +47,7 @@ BoundProfile profile() {
 
 class CloudBuilderTest : public testing::Test {
  protected:
-  /// What a changed profile is refused with; nothing of it may be added.
+  /// The error with which a changed profile is refused; none of it may be added.
   template <class Error>
   std::string refusal(const std::function<void(BoundProfile&)>& change) {
     const std::size_t before = builder_.points().size();
@@ -121,7 +121,7 @@ TEST_F(CloudBuilderTest, RefusesMorePointsThanAllowed) {
 
 namespace {
 
-/// The second laser mirrors the first: from one pixel its plane is met at another depth.
+/// The second laser mirrors the first: a pixel's ray meets its plane at another depth.
 scan_cell_common::ScannerModel two_lasers() {
   scan_cell_common::ScannerModel model = scanner();
   scan_cell_common::LaserPlane other = model.laser(0);
@@ -199,7 +199,7 @@ TEST(CloudOfTwoLasers, NamesThePassAndTheLaserThatGaveNoLine) {
 
 namespace {
 
-/// A flat strip that two passes scan, 60 x 60 mm.
+/// Adds two passes over a flat strip of 60 x 60 mm.
 void scan_twice(CloudBuilder& builder) {
   constexpr std::size_t kWide = 100;  // rows, 0.6 mm apart
   for (std::uint32_t pass = 0; pass < 2; ++pass) {

@@ -13,10 +13,10 @@ using namespace laser_triangulation;  // NOLINT
 namespace {
 
 constexpr double kNoise = 20e-6;       // [m] of a point
-constexpr double kDeviation = 0.2e-3;  // [m] of a scanned point, by the calibration
+constexpr double kDeviation = 0.2e-3;  // [m] of a scanned point, from the calibration
 
-/// A table with a block on it, 60 x 40 x 20 mm with flanks that lean by 45 degrees, as passes see
-/// it from above.
+/// A table with a block of 60 x 40 x 20 mm with flanks inclined by 45 degrees, seen from above by
+/// the passes.
 class Table {
  public:
   static constexpr double kHeight = 0.02;
@@ -24,7 +24,7 @@ class Table {
   static constexpr double kHalfWidth = 0.02;
 
   double block_at = 0;   // [m] along x
-  double lifted_by = 0;  // [m] the block
+  double lifted_by = 0;  // [m] lift of the block
 
   double height(double x, double y) const {
     const double out = std::max(std::abs(x - block_at) - kHalfLength, std::abs(y) - kHalfWidth);
@@ -34,8 +34,8 @@ class Table {
 
 class Passes {
  public:
-  /// Profiles 0.6 mm apart, a point every 0.3 mm.
-  /// @param error of the whole pass, in the frame of the cloud
+  /// Adds profiles 0.6 mm apart, with a point every 0.3 mm.
+  /// @param error error of the whole pass, in the frame of the cloud
   void scan(std::uint8_t pass, std::uint8_t laser, const std::function<double(double, double)>& z,
             const Eigen::Isometry3d& error = Eigen::Isometry3d::Identity(), double begin = -0.08,
             double end = 0.08) {
@@ -59,8 +59,8 @@ class Passes {
         pass, 0, [&table](double x, double y) { return table.height(x, y); }, error);
   }
 
-  /// A flank of an upright sheet, 160 x 30 mm, seen from its side.
-  /// @param y [m] its place; the camera is on the side of this sign
+  /// Adds a flank of an upright sheet, 160 x 30 mm, seen from its side.
+  /// @param y [m] its position; the camera is on the side with this sign
   void scan_flank(std::uint8_t pass, double y) {
     std::mt19937 random(pass + 1U);
     std::normal_distribution<double> noise(0, kNoise);
@@ -253,11 +253,11 @@ TEST(PassAgreement, RaisesNoAlarmWhereASheetIsSeenFromBothSidesAndMovesNothing) 
 
 namespace {
 
-/// Two pairs of passes over a plane, 1.4 m apart. What one of them did must not depend on the
+/// Two pairs of passes over a plane, 1.4 m apart. The correction of one must not depend on the
 /// others.
 class PairsFarApart : public testing::Test {
  protected:
-  /// @param error of the second pass, about its own middle
+  /// @param error error of the second pass, about its own middle
   /// @param length [m] of each pass
   PassAgreement mend(const Eigen::Isometry3d& error, double length) {
     const auto plane = [](double, double) { return 0.; };
@@ -319,7 +319,7 @@ TEST(PassAgreement, TellsOfAMotionThatTheRobotMayExplainAndDoesNotEnd) {
 }
 
 TEST(PassAgreement, RaisesNoAlarmAtTheEdgesOfShadows) {
-  // A wall of 20 mm: one pass sees what lies left of its shadow, the other what lies right of it.
+  // A wall of 20 mm: one pass sees the side left of its shadow, the other the side right of it.
   const auto wall = [](double x) { return std::abs(x) < 0.005 ? 0.02 : 0.; };
   const auto from_left = [&](double x, double) {
     return x > 0.005 && x < 0.02 ? std::nan("") : wall(x);

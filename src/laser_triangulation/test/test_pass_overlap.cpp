@@ -11,7 +11,7 @@ using namespace laser_triangulation;  // NOLINT
 
 namespace {
 
-/// Profiles of a laser along a plane that leans: 0.6 mm apart, a point every 0.15 mm.
+/// Profiles of a laser along an inclined plane: 0.6 mm apart, with a point every 0.15 mm.
 class Scan {
  public:
   /// @param lift [m] along the plane's normal @param noise [m] deviation
@@ -81,7 +81,7 @@ TEST(PassOverlap, IsTheNoiseWhereTheSweepsAgree) {
   scan.sweep(1, 0, 0, 0, kNoise);
   const auto overlaps = compare_sweeps(find_shared_places(scan.cloud));
   ASSERT_EQ(overlaps.size(), 1U);
-  // Of a normal deviation half are within 0.674, 95 % within 1.96; the patch adds about a tenth.
+  // Half of normal deviations are within 0.674, 95 % within 1.96; the patch adds about a tenth.
   EXPECT_NEAR(overlaps[0].median, 0.674 * kNoise, 0.15 * kNoise);
   EXPECT_NEAR(overlaps[0].most, 1.96 * kNoise, 0.3 * kNoise);
 }

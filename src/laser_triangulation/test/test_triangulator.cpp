@@ -50,8 +50,8 @@ struct Profile {
   std::vector<float> position, width, intensity;
 };
 
-/// Where the laser's line on the plane z = depth (camera frame) is seen in a row, found by
-/// bisection of the projection along the line: no undistortion is used.
+/// The image of the laser's line on the plane z = depth (camera frame) in a row, found by bisection
+/// of the projection along the line, without undistortion.
 std::optional<std::pair<double, Eigen::Vector3d>> see(const scan_cell_common::ScannerModel& model,
                                                       std::size_t laser, double depth, double row) {
   const scan_cell_common::LaserPlane& plane = model.laser(laser);
@@ -252,7 +252,7 @@ TEST(Triangulator, FindsAPlaneAtAKnownDepthWithBothLasersToAMicrometre) {
       ASSERT_EQ(points.size(), truth.size());
       for (std::size_t i = 0; i < points.size(); ++i) {
         const Eigen::Vector3d point(points[i].x, points[i].y, points[i].z);
-        // A float column carries 3e-5 px, and a float coordinate 6e-8 m.
+        // A float resolves 3e-5 px of a column, and 6e-8 m of a coordinate.
         EXPECT_LT((point - truth[i]).norm(), 1e-6) << "row " << i;
         EXPECT_EQ(points[i].laser, laser);
         EXPECT_EQ(points[i].intensity, 100);
@@ -276,7 +276,7 @@ TEST(Triangulator, CountsWhatItLeavesOutByItsReason) {
   profile.intensity[6] = 255;
   profile.position[7] = static_cast<float>(see(model, 0, 0.30, 807)->first);
   profile.position[8] = static_cast<float>(see(model, 0, 0.90, 808)->first);
-  profile.width[9] = kNaN;  // with limits, what is not known is not within them
+  profile.width[9] = kNaN;  // with limits, an unknown value is outside them
   PeakLimits limits;
   limits.min_width = 2;
   limits.max_width = 20;

@@ -10,7 +10,7 @@
 #include "synthetic_parts.h"
 #include "tool_path_stretcher/stretcher.h"
 
-/// A part, a scan of it that was moved and bent, and the truth about a path on it.
+/// A part, a moved and bent scan of it, and the true path on it.
 namespace tool_path_stretcher {
 
 using synthetic::Part;
@@ -31,7 +31,7 @@ inline ToolPath without_orientation(ToolPath path) {
   return path;
 }
 
-/// One case with its truth; tests change what they are about.
+/// One case with its truth. Each test changes what it is about.
 struct Case {
   Part part = synthetic::photo_frame();
   Part scanned_part = part;

@@ -29,22 +29,23 @@ struct Part {
   Eigen::Vector3d normal(double x, double y) const;
 };
 
-/// A photo frame of 200 x 150 x 20 mm with a moulding of 25 mm, the path along its crest. It is
-/// symmetric to 180 degrees but for one small rosette of the given height.
+/// A photo frame of 200 x 150 x 20 mm with a moulding of 25 mm and the path along its crest. It has
+/// a 180 degree symmetry except for one small rosette of the given height.
 Part photo_frame(double rosette = 0.003);
 
-/// A doubly curved panel of 300 x 200 mm without symmetry, the path a raster line over it.
+/// A doubly curved panel of 300 x 200 mm without symmetry. The path is a raster line over it.
 Part curved_panel();
 
 /// A flat box lid of 180 x 120 x 30 mm.
 Part box_lid();
 
-/// Displaces the surface [m] before the similarity.
+/// Displacement of the surface [m] before the similarity.
 using Deformation = std::function<Eigen::Vector3d(const Eigen::Vector3d&)>;
 
 Deformation no_deformation();
 
-/// Bends about y by `rise` in the middle of `width`, z alone: the height of a plate that sags.
+/// Bends about y by `rise` in the middle of `width`; changes only z, like the height of a sagging
+/// plate.
 Deformation bend(double rise, double width);
 
 struct Scan {
@@ -52,10 +53,10 @@ struct Scan {
   double noise = 0.0001;                            //!< [m] of each coordinate
   Eigen::Vector3d view = Eigen::Vector3d::UnitZ();  //!< surfaces facing away are not seen
   double min_facing = -1;                           //!< cosine of normal and view; -1: all
-  bool uneven = false;                              //!< four times as dense at one end
+  bool uneven = false;                              //!< four times denser at one end
   std::function<bool(const Eigen::Vector3d&)> is_hole =
       {};                    //!< not scanned, on the undeformed part
-  std::size_t outliers = 0;  //!< more points, anywhere around
+  std::size_t outliers = 0;  //!< additional points, anywhere around
   unsigned seed = 1;
 };
 
@@ -63,13 +64,13 @@ struct Scan {
 Points scan(const Part& part, const Similarity& similarity, const Deformation& deformation,
             const Scan& how);
 
-/// Points of a mesh drawn at random by area, independent of the product's own sampling, moved.
+/// Random points of a mesh by area, moved; independent of the product's own sampling.
 Points scan_mesh(const pcl::PolygonMesh& mesh, const Similarity& similarity, const Scan& how);
 
 /// `count` waypoints in two segments on the part, z along the normal, with process values.
 ToolPath path_on(const Part& part, std::size_t count);
 
-/// Where the path of the undeformed part comes to lie.
+/// The true path: the path of the undeformed part, deformed and moved.
 ToolPath truth(const ToolPath& path, const Similarity& similarity, const Deformation& deformation);
 
 Similarity similarity(double scale, const Eigen::Matrix3d& rotation,

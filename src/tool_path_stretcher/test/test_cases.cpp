@@ -16,13 +16,13 @@ namespace {
 struct Closed {
   const char* name;
   cases::Part part;
-  double volume;  // [m^3] by hand
+  double volume;  // [m^3] computed by hand
 };
 
-/// Sums over the surface, each piece by its middle.
+/// Sums over the surface, each piece evaluated at its middle.
 struct SurfaceSums {
   double area = 0;
-  double volume = 0;  // by the divergence theorem: positive where normals point out of the part
+  double volume = 0;  // by the divergence theorem: positive if normals point out of the part
   Eigen::Vector3d normal = Eigen::Vector3d::Zero();  // zero over a closed surface
 };
 

@@ -37,7 +37,7 @@ StretchResult stretched(const cases::Part& reference, const cases::Part& object,
                  surface_from_cloud(second, parameters.leaf, "object"), reference.path, parameters);
 }
 
-/// The part of the other hand.
+/// The mirror image of the part.
 cases::Part other_hand(cases::Part part) {
   for (cases::Facet& facet : part.facets) {
     facet.at = [at = facet.at](double u, double v) {

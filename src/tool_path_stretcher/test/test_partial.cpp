@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kMillimetre = 1e-3;
 
-/// A square of 100 mm in z = 0, and with walls 50 mm down from each of its sides.
+/// A square of 100 mm in z = 0, optionally with walls 50 mm down from each side.
 Surface square(bool with_walls) {
   constexpr double kStep = 0.002;
   Points points;
@@ -37,7 +37,7 @@ bool is_beyond(const Surface& surface, const Eigen::Vector3d& point) {
   return border.is_beyond(point, nearest.index, std::sqrt(nearest.squared_distance));
 }
 
-/// A case of the benchmark by another scan, of another turn and size.
+/// A case of the benchmark with another scan, rotation and size.
 class Partial : public testing::Test {
  protected:
   void scan(const cases::Part& reference, const cases::Part& object, const cases::Scan& first,
@@ -135,7 +135,8 @@ TEST_F(Partial, ReferenceOfAnotherPartIsRefused) {
 }
 
 TEST_F(Partial, ScansOfOtherEndsOfWhatIsNearlyItsOwnImageAreAmbiguous) {
-  // Half a turn off, the whole scan is explained but the rosette, which only one of them shows.
+  // Half a turn off, the whole scan is explained except for the rosette, which only one of them
+  // shows.
   const cases::Part part = cases::with_path_within(cases::photo_frame(0.003), 0.4, 0.7);
   cases::Scan begin = of_share(0.75);
   cases::Scan end = of_share(0.65, true);

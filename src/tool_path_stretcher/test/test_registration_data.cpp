@@ -10,7 +10,7 @@
 
 using namespace tool_path_stretcher;
 
-/// A real lidar cloud and the same, larger by 1.04 and rotated by 11.459 degrees.
+/// A real lidar cloud, and the same cloud scaled by 1.04 and rotated by 11.459 degrees.
 class Car : public testing::Test {
  protected:
   void SetUp() override {

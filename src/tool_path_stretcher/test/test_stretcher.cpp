@@ -71,7 +71,7 @@ TEST(Stretcher, FollowsNoDeformationWhereThereIsNone) {
 
 TEST(Stretcher, SetsThePathIntoALocalDent) {
   Case each;
-  // A dent of 1 mm, narrower than a deformation of the whole part follows.
+  // A dent of 1 mm, too narrow for a deformation of the whole part to follow.
   each.deformation = [](const Eigen::Vector3d& at) {
     const double away = std::hypot(at.x() + 0.0875, at.y() - 0.01) / 0.015;
     return Eigen::Vector3d(0, 0, -0.001 * std::exp(-away * away));
@@ -84,7 +84,7 @@ TEST(Stretcher, SetsThePathIntoALocalDent) {
 
 TEST(Stretcher, IsNotMisledByLooseOutliers) {
   for (const unsigned seed :
-       {7U, 8U}) {  // without care: refused, and taken for its 180 degree twin
+       {7U, 8U}) {  // without care, these are refused or taken for the 180 degree twin
     SCOPED_TRACE(seed);
     Case each;
     each.moved.rotation = synthetic::random_rotation(300 + seed);
@@ -246,7 +246,7 @@ TEST(Stretcher, TakesASymmetricPartWhereThePathIsSymmetricToo) {
   EXPECT_TRUE(each.run().verdict.accepted());
 }
 
-/// A plate of which two thirds are nearly square: its principal axes turn where a third is missing.
+/// A plate of which two thirds are nearly square: its principal axes rotate if a third is missing.
 synthetic::Part ribbed_plate() {
   synthetic::Part part;
   part.width = 0.24;

@@ -14,7 +14,7 @@ namespace {
 
 const auto kNoProgress = [](double) {};
 
-/// The part turned a little and moved by millimetres: the thesis' methods start from where the
+/// The part rotated slightly and moved by millimetres: the thesis' methods start from where the
 /// clouds lie.
 Case nearby(Method method, double scale) {
   const double turn = method == Method::kThesisAffine ? 0.5 : 3;  // [deg]

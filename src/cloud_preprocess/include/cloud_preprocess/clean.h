@@ -18,8 +18,8 @@ class YamlEntry;
 
 namespace cloud_preprocess {
 
-/// The whole chain. Floor, outliers and isolation do nothing where they are not automatic and have
-/// no limits.
+/// Parameters of the whole chain. Floor, outliers and isolation do nothing if they are not
+/// automatic and have no limits.
 struct CleanParameters {
   std::vector<CloudEdit> edits;                           //!< by hand, before all stages
   FloorParameters floor;                                  //!< of the first stage
@@ -28,34 +28,33 @@ struct CleanParameters {
   std::optional<GridParameters> grid = GridParameters{};  //!< none: the cloud is not reduced
 };
 
-/// Of all stages, each in a group of its name.
+/// Describes the parameters of all stages, each stage in a group with its name.
 void describe(scan_cell_common::ParameterTable& table, CleanParameters& parameters);
 
-/// Reads them from YAML: maps `floor`, `outliers`, `isolate` and `grid` with the parameters of the
-/// nodelets of these names; `grid: false` leaves the grid out; `edits` is a list as read_edits()
-/// takes it. What is not given keeps its default, also where nothing is.
+/// Reads the parameters from YAML. The maps `floor`, `outliers`, `isolate` and `grid` have the
+/// parameters of the nodelets of these names; `grid: false` leaves the grid out; `edits` is a list
+/// for read_edits(). Anything not given keeps its default; the file may be empty.
 /// @throw scan_cell_common::FileError, UnusableInput or InvalidParameter, naming the entry
 CleanParameters load_clean_parameters(const std::string& path);
 /// As load_clean_parameters().
-CleanParameters read_clean_parameters(
-    const scan_cell_common::YamlEntry& root);  //!< as load_clean_parameters()
+CleanParameters read_clean_parameters(const scan_cell_common::YamlEntry& root);
 
-/// The maps `floor`, `outliers` and `isolate`, as read_clean_parameters() takes them, each with
-/// what is not as it is by default.
+/// The maps `floor`, `outliers` and `isolate` for read_clean_parameters(), each with the parameters
+/// that differ from their defaults.
 std::string stages_yaml(const CleanParameters& parameters);
 
-/// Runs edits (if there are any), floor, outliers, isolation and grid, one after the other.
-/// @param reports one a stage, also of the stage that throws
+/// Runs edits (if any), floor, outliers, isolation and grid, one after the other.
+/// @param reports one per stage, including the stage that throws
 /// @throw scan_cell_common::InvalidParameter before anything is done
 /// @throw scan_cell_common::UnusableInput from the stage that leaves nothing
 Cloud clean(Cloud cloud, const CleanParameters& parameters, std::vector<StageReport>& reports);
 
-/// The same, and the points know where they come from.
+/// The same, with the source of each point.
 void clean(TracedCloud& cloud, const CleanParameters& parameters,
            std::vector<StageReport>& reports);
 
-/// The same, and each object that the stage isolate found is cleaned, too.
-/// @param[out] objects along `isolate/axis`; the one that is asked for is among them
+/// The same, and also cleans each object that the stage isolate found.
+/// @param[out] objects along `isolate/axis`, including the requested one
 void clean(TracedCloud& cloud, const CleanParameters& parameters, std::vector<StageReport>& reports,
            std::vector<TracedCloud>& objects);
 

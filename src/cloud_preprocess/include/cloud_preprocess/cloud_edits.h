@@ -15,54 +15,54 @@ class YamlEntry;
 
 namespace cloud_preprocess {
 
-/// A box, with its faces.
+/// A box, including its faces.
 struct BoxShape {
   Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();  //!< of its middle [m]
   Eigen::Vector3d size = Eigen::Vector3d::Ones();          //!< along its own axes [m]
 };
 
-/// All on the side of a plane to which its normal points, with the plane.
+/// Everything on the side of a plane to which its normal points, including the plane.
 struct HalfSpace {
   Eigen::Vector3d point = Eigen::Vector3d::Zero();    //!< of the plane [m]
   Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();  //!< of length 1
 };
 
-/// All behind a polygon that was drawn in a picture, between two depths.
+/// Everything behind a polygon drawn in a picture, between two depths.
 struct PrismShape {
-  std::vector<Eigen::Vector3d> corners;                //!< [m] 3 at least, in their order
-  Eigen::Vector3d towards = Eigen::Vector3d::UnitZ();  //!< the viewer, of length 1
+  std::vector<Eigen::Vector3d> corners;                //!< [m] at least 3, in order
+  Eigen::Vector3d towards = Eigen::Vector3d::UnitZ();  //!< direction to the viewer, unit length
   double nearest = 0;   //!< depth [m] from the first corner, against `towards`
-  double farthest = 0;  //!< likewise
+  double farthest = 0;  //!< the same
 };
 
-/// All within a distance of places that a brush went over.
+/// Everything within a distance of the places that a brush went over.
 struct BrushShape {
   std::vector<Eigen::Vector3d> places;  //!< [m]
   double radius = 0;                    //!< [m]
 };
 
-/// All that can be reached from the point nearest to a place, by steps of at most a gap.
+/// Everything that can be reached from the point nearest to a place by steps of at most a gap.
 struct ClusterShape {
   Eigen::Vector3d place = Eigen::Vector3d::Zero();  //!< [m]
   double gap = 0;                                   //!< [m]
 };
 
-/// What a person did to a cloud: deleted, or alone kept, what lies in a shape.
+/// One edit by hand: deletes what lies in a shape, or keeps only that.
 struct CloudEdit {
   bool keep = false;  //!< false: delete
-  /// what it is done to
+  /// The shape that the edit applies to.
   std::variant<BoxShape, HalfSpace, PrismShape, BrushShape, ClusterShape> shape;
 };
 
-/// "box", "plane", "polygon", "brush" or "cluster": in files and reports.
+/// "box", "plane", "polygon", "brush" or "cluster", as in files and reports.
 const char* name_of(const CloudEdit& edit);
 
-/// Edits by hand, one after the other, in the frame of the cloud that comes in.
+/// Edits by hand, one after the other, in the frame of the input cloud.
 class CloudEdits final : public Stage {
  public:
-  explicit CloudEdits(std::vector<CloudEdit> edits);  //!< in the order in which they are done
+  explicit CloudEdits(std::vector<CloudEdit> edits);  //!< in order of execution
 
-  std::string name() const override { return "edits"; }  //!< of the stage
+  std::string name() const override { return "edits"; }  //!< name of the stage
 
  private:
   std::string apply(TracedCloud& cloud) const override;
@@ -71,15 +71,15 @@ class CloudEdits final : public Stage {
 };
 
 /// Reads a list of edits (docs/cloud_preprocess.md).
-/// @throw scan_cell_common::UnusableInput naming line and entry of what is missing, unknown or
-/// makes no sense
+/// @throw scan_cell_common::UnusableInput naming line and entry of anything missing, unknown or
+/// senseless
 std::vector<CloudEdit> read_edits(const scan_cell_common::YamlEntry& list);
 
 /// Reads the list `edits` of a YAML file.
 /// @throw scan_cell_common::FileError, UnusableInput as read_edits()
 std::vector<CloudEdit> load_edits(const std::string& path);
 
-/// As read_edits() reads it, to the last digit, with the key `edits`.
+/// Text that read_edits() reads back to the last digit, with the key `edits`.
 std::string to_yaml(const std::vector<CloudEdit>& edits);
 
 }  // namespace cloud_preprocess

@@ -9,31 +9,30 @@
 
 namespace cloud_preprocess {
 
-/// A cloud that a person edits step by step, with undo and redo without end. The cloud itself never
-/// changes: what the edits in force leave of it is what CloudEdits leaves, point by point. Not safe
-/// for use from several threads.
+/// A cloud that a person edits step by step, with unlimited undo and redo. The cloud itself never
+/// changes. The active edits leave exactly the points that CloudEdits would leave. Not thread-safe.
 class EditedCloud {
  public:
   using Indices = std::vector<std::uint32_t>;  //!< of points of the source, ascending
 
   EditedCloud() = default;
-  /// @param source [m]; points that are not finite are no part of it
+  /// @param source [m]; points that are not finite are ignored
   explicit EditedCloud(Cloud source);
 
   const Cloud& source() const { return source_; }                   //!< [m] as it came
-  const std::vector<CloudEdit>& edits() const { return done_; }     //!< in force, in their order
-  const std::vector<CloudEdit>& undone() const { return undone_; }  //!< the next one to redo last
-  Indices kept() const;                                             //!< by the edits in force
+  const std::vector<CloudEdit>& edits() const { return done_; }     //!< active edits, in order
+  const std::vector<CloudEdit>& undone() const { return undone_; }  //!< next to redo is last
+  Indices kept() const;                                             //!< by the active edits
   std::size_t count() const { return count_; }                      //!< of points kept
-  std::vector<std::size_t> counts() const;  //!< of points that each edit in force took
-  /// What the edit with this number, from 0, took.
+  std::vector<std::size_t> counts() const;  //!< of points that each active edit removed
+  /// Points that the edit with this number, from 0, removed.
   Indices taken_by(std::size_t edit) const;
-  /// What an edit would take of what is kept.
+  /// Points among those kept that an edit would remove.
   Indices would_take(const CloudEdit& edit) const;
 
-  /// What was undone before is gone for good.
-  /// @return how many points it took
-  /// @throw scan_cell_common::UnusableInput if it would leave nothing; then nothing has changed
+  /// Adds an edit. Undone edits are lost.
+  /// @return number of points removed
+  /// @throw scan_cell_common::UnusableInput if it would leave nothing; then nothing changes
   std::size_t add(const CloudEdit& edit);
 
   bool undo();  //!< @return false if there is none
@@ -46,7 +45,7 @@ class EditedCloud {
   std::size_t take(const CloudEdit& edit);
 
   Cloud source_;
-  std::vector<std::int32_t> taken_;  // number of the edit that took each point
+  std::vector<std::int32_t> taken_;  // number of the edit that removed each point
   std::size_t count_ = 0;
   std::vector<CloudEdit> done_;
   std::vector<CloudEdit> undone_;

@@ -12,25 +12,25 @@ class ParameterTable;
 
 namespace cloud_preprocess {
 
-/// Of the stage grid; docs/cloud_preprocess.md.
+/// Parameters of the stage grid; see docs/cloud_preprocess.md.
 struct GridParameters {
   Eigen::Vector3d leaf{0.002, 0.002, 0.0005};  //!< [m] size of a cell along x, y, z
 };
 
-/// Each with its range, unit and meaning.
+/// Describes every parameter: range, unit and meaning.
 void describe(scan_cell_common::ParameterTable& table, GridParameters& parameters);
 
-/// Puts the mean of its points in place of each occupied cell of a grid through the frame's origin.
-/// Points come out ordered by z, then y, then x of their cell. A cloud of any extent is reduced:
-/// there is no index to overflow as in PCL's VoxelGrid; a point beyond a million cells is refused.
+/// Replaces the points in each occupied cell of a grid through the frame's origin by their mean.
+/// The output is ordered by z, then y, then x of the cell. Unlike in PCL's VoxelGrid, no index
+/// overflows for a cloud of large extent; a point beyond a million cells is refused.
 class GridReduction final : public Stage {
  public:
-  using Parameters = GridParameters;  //!< of this stage
+  using Parameters = GridParameters;  //!< parameters of this stage
 
   /// @throw scan_cell_common::InvalidParameter
   explicit GridReduction(const GridParameters& parameters);
 
-  std::string name() const override { return "grid"; }  //!< of the stage
+  std::string name() const override { return "grid"; }  //!< name of the stage
 
  private:
   std::string apply(TracedCloud& cloud) const override;

@@ -13,8 +13,8 @@ class ParameterTable;
 
 namespace cloud_preprocess {
 
-/// Limits given by hand, in the cloud's frame: points outside are removed, the limits themselves
-/// are inside. Infinite where not given.
+/// Limits given by hand, in the cloud's frame. Points outside are removed; points on a limit are
+/// inside. Infinite if not given.
 struct Limits {
   static constexpr double kNone = std::numeric_limits<double>::infinity();  //!< no limit
 
@@ -28,11 +28,11 @@ struct Limits {
   bool contain(const pcl::PointXYZ& point) const;  //!< whether the point is within all limits
 };
 
-/// Each with its unit and meaning. Refuses a least that is not below its most.
+/// Describes every limit: unit and meaning. Refuses a minimum that is not below its maximum.
 void describe(scan_cell_common::ParameterTable& table, Limits& limits);
 
-/// Removes the points outside. Says how many in words; empty where there was none.
-/// @throw scan_cell_common::UnusableInput if none is left
+/// Removes the points outside. Returns a text with their number; empty if there are none.
+/// @throw scan_cell_common::UnusableInput if no point is left
 std::string cut(TracedCloud& cloud, const Limits& limits);
 
 }  // namespace cloud_preprocess

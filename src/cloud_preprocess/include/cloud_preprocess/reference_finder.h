@@ -12,20 +12,20 @@ namespace cloud_preprocess {
 
 using scan_cell_common::Cloud;
 
-/// Where a reference lies in a scene.
+/// A place of a reference in a scene.
 struct FoundReference {
-  Cloud laid;                            //!< [m] its points, where they come to lie
-  std::vector<std::uint32_t> explained;  //!< points of the scene, in rising order
+  Cloud laid;                            //!< [m] the reference's points in the found pose
+  std::vector<std::uint32_t> explained;  //!< indices of scene points, ascending
 };
 
-/// What of a scene a reference explains.
+/// The parts of a scene that a reference explains.
 struct ReferenceSearch {
-  std::vector<FoundReference> found = {};  //!< one: that is the object; several: they look alike
-  std::string why_none = {};               //!< empty where there is one
+  std::vector<FoundReference> found = {};  //!< one: the object; several: they look alike
+  std::string why_none = {};               //!< empty if there is one
 };
 
-/// Finds what a reference explains. A registration is needed for that, which is not this package's
-/// job: who has one implements this.
+/// Finds what a reference explains. This needs a registration, which is not this package's job: a
+/// package that has one implements this interface.
 class ReferenceFinder {
  public:
   ReferenceFinder() = default;
@@ -33,13 +33,13 @@ class ReferenceFinder {
   ReferenceFinder& operator=(const ReferenceFinder&) = delete;
   virtual ~ReferenceFinder() = default;
 
-  /// Called once, before all else.
+  /// Called once, before find().
   /// @param file cloud or mesh
   /// @throw scan_cell_common::FileError, scan_cell_common::UnusableInput
   virtual void load(const std::string& file, double metres_per_unit) = 0;
 
   /// @param scene [m] finite, without the floor
-  /// @param objects points of the scene that belong together, object by object
+  /// @param objects indices of the scene points of each object
   /// @throw scan_cell_common::UnusableInput
   virtual ReferenceSearch find(const Cloud& scene,
                                const std::vector<std::vector<std::uint32_t>>& objects) const = 0;

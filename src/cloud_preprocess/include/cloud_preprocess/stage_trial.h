@@ -11,26 +11,25 @@
 
 namespace cloud_preprocess {
 
-/// What one stage takes of a cloud.
+/// The points that one stage removes from a cloud.
 struct StageTaking {
-  StageReport report;                 //!< its name among it
-  std::vector<std::uint32_t> points;  //!< of the cloud, ascending
-  std::string error;                  //!< why it cannot be done; empty: it can
+  StageReport report;                 //!< including the stage's name
+  std::vector<std::uint32_t> points;  //!< indices of the points, ascending
+  std::string error;                  //!< why the stage fails; empty if it does not
 };
 
-/// Tries the stages floor, outliers and isolate on one cloud again and again, while a person moves
-/// their parameters. What each takes is what clean() lets it take. A stage is run anew only where
-/// its parameters, or those of a stage before it, are others than the time before. Not safe for use
-/// from several threads.
+/// Tries the stages floor, outliers and isolate on one cloud repeatedly while a person changes
+/// their parameters. Each removes what it would remove in clean(). A stage runs again only if its
+/// parameters, or those of an earlier stage, have changed. Not thread-safe.
 class StageTrial {
  public:
   explicit StageTrial(Cloud cloud);  //!< [m] after the edits by hand
 
-  /// @return one a stage, up to the first that cannot be done
+  /// @return one per stage, up to the first that fails
   std::vector<StageTaking> run(const CleanParameters& parameters);
 
  private:
-  /// A stage as it was run last.
+  /// The last run of a stage.
   struct Step {
     std::string settings;
     StageTaking taking;

@@ -13,31 +13,31 @@ namespace cloud_preprocess {
 
 using scan_cell_common::Cloud;
 
-/// The floor that was removed: where it was seen nothing stands.
+/// The removed floor. Nothing stands where it was seen.
 struct SeenFloor {
   Cloud points;           //!< [m] on or below it
   Eigen::Vector3f point;  //!< [m] of its plane
-  Eigen::Vector3f up;     //!< of length 1, away from it
+  Eigen::Vector3f up;     //!< unit length, away from the floor
 };
 
-/// A cloud, and from which point of the cloud that went in each of its points comes: what a point
-/// carries besides its place is found there.
+/// A cloud that records for each point its source: the point of the input cloud that it comes from.
+/// The source has the point's other fields.
 class TracedCloud {
  public:
   TracedCloud() = default;
-  /// Each point comes from itself.
+  /// Each point is its own source.
   explicit TracedCloud(Cloud cloud);
 
   const Cloud& cloud() const { return cloud_; }                           //!< [m]
-  const std::vector<std::uint32_t>& sources() const { return sources_; }  //!< one a point
+  const std::vector<std::uint32_t>& sources() const { return sources_; }  //!< one per point
 
-  /// None: it was not looked for or not found.
+  /// Null if the floor was not looked for or not found.
   const SeenFloor* floor() const { return floor_.get(); }
-  /// Tells the stages that come after.
+  /// Stores the floor for later stages.
   void set_floor(SeenFloor floor);
 
   /// Keeps the points for which `keep(index)` is true, in their order.
-  /// @return how many went
+  /// @return number of points removed
   template <class Keep>
   std::size_t keep_if(const Keep& keep) {
     std::size_t kept = 0;
@@ -52,8 +52,8 @@ class TracedCloud {
     return removed;
   }
 
-  /// Puts other points in place of these.
-  /// @param points index of one of these for each of them
+  /// Replaces the points.
+  /// @param points for each new point, the index of the old one it comes from
   void replace(Cloud cloud, const std::vector<std::uint32_t>& points);
 
  private:

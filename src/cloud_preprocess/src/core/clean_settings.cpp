@@ -67,7 +67,7 @@ class SectionValues final : public scan_cell_common::ParameterTable {
   std::map<std::string, ParameterValue> values_;
 };
 
-/// The shortest number that reads back as this one.
+/// The shortest number that reads back the same.
 YAML::Node node_of_value(double number) {
   return YAML::Node(fmt::format("{}", number));
 }
@@ -85,7 +85,7 @@ YAML::Node node_of_value(const Value& value) {
   return YAML::Node(value);
 }
 
-/// What is not as it is by default; an empty map where nothing is.
+/// The parameters that differ from their defaults; an empty map if none does.
 template <class Parameters>
 YAML::Node changed(const Parameters& parameters) {
   const SectionValues defaults{Parameters()}, now{parameters};

@@ -14,7 +14,7 @@
 namespace cloud_preprocess {
 namespace {
 
-/// Of each cell, the point that is nearest to its mean; the first of equals.
+/// For each cell, the point nearest to its mean; the first if several are equally near.
 std::vector<std::uint32_t> nearest_to_means(const GridCells& grid, const Cloud& points) {
   std::vector<std::uint32_t> nearest(grid.means.size());
   std::vector<float> distances(grid.means.size(), std::numeric_limits<float>::infinity());

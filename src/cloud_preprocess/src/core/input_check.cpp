@@ -17,10 +17,10 @@ namespace {
 
 using scan_cell_common::UnusableInput;
 
-constexpr double kLargest = 20;       // [m] chosen: beyond what a robot scans
+constexpr double kLargest = 20;       // [m] beyond what a robot scans; chosen
 constexpr double kSmallest = 1e-3;    // [m] chosen
 constexpr double kCoarsest = 6e-3;    // [m] between points: three cells of the stretcher's grid
-constexpr std::size_t kFewest = 100;  // points whose distances say something; chosen
+constexpr std::size_t kFewest = 100;  // points; fewer tell no spacing; chosen
 
 Cloud within_limits(const Cloud& cloud, const CleanParameters& parameters) {
   Cloud inside;
@@ -32,7 +32,7 @@ Cloud within_limits(const Cloud& cloud, const CleanParameters& parameters) {
   return inside;
 }
 
-/// On a surface, of fewer points chosen at random, distances grow by the root of what was left out.
+/// On a surface, the distances in a random sample grow with the square root of the reduction.
 double spacing_of(const Cloud& cloud, const Cloud& sample) {
   if (sample.size() < kFewest) return 0;
   const KdTree tree(sample);
@@ -54,7 +54,7 @@ bool makes_sense(const CloudSize& size, double factor) {
   return largest >= kSmallest && largest <= kLargest && size.spacing * factor <= kCoarsest;
 }
 
-/// "--units mm (it would be 0.03 x 0.02 x 0.01 m, ...)", for each unit that makes sense of it.
+/// "--units mm if it is 0.03 x 0.02 x 0.01 m, ...", for each unit that makes sense.
 std::string sensible_units(const CloudSize& in_file) {
   std::string text;
   for (const std::string& unit : scan_cell_common::length_units()) {

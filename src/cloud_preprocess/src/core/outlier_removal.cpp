@@ -14,21 +14,20 @@
 namespace cloud_preprocess {
 namespace {
 
-/// How far the points are from their neighbours.
+/// Distances of the points from their neighbours.
 class Spacing {
  public:
   Spacing(const Cloud& cloud, int neighbours)
       : cloud_(cloud),
         tree_(cloud),
-        indices_(static_cast<std::size_t>(neighbours) + 1),  // and itself
+        indices_(static_cast<std::size_t>(neighbours) + 1),  // and the point itself
         squared_(indices_.size()) {
     means_.reserve(cloud.size());
     for (std::size_t i = 0; i < cloud.size(); ++i)
       means_.push_back(mean_distance(i));
   }
 
-  /// Mean plus so many standard deviations [m] of the mean distances, the far tail cut to ten
-  /// medians.
+  /// Mean plus `deviations` standard deviations [m] of the mean distances, capped at ten medians.
   double threshold(double deviations) const {
     constexpr double kMaxMedians = 10;  // chosen
     std::vector<double> sorted = means_;
@@ -47,8 +46,8 @@ class Spacing {
 
   double mean(std::size_t i) const { return means_[i]; }
 
-  /// Whether a point belongs to a part of the cloud that is as sparse as itself, as a flank in
-  /// grazing light, rather than lying beside one that is denser.
+  /// Whether a point belongs to a part of the cloud that is equally sparse, like a flank in grazing
+  /// light, and does not just lie beside a denser one.
   bool has_company(std::size_t i) {
     constexpr double kAlike = 1.5;  // between spacings in one part of a surface; chosen
     const std::size_t found = nearest(i);
@@ -99,8 +98,8 @@ std::string OutlierRemoval::apply(TracedCloud& cloud) const {
 
   Spacing spacing(cloud.cloud(), parameters_.neighbours);
   const double most = spacing.threshold(parameters_.deviations);
-  constexpr double kSparsest = 3;  // thresholds: light 73 degrees off the normal, at most; chosen
-  // All before the first goes: the tree looks at the cloud's own points.
+  constexpr double kSparsest = 3;  // thresholds: light at most 73 degrees off the normal; chosen
+  // Decides all before removing any: the tree refers to the cloud's own points.
   std::vector<bool> keep(cloud.cloud().size());
   for (std::size_t i = 0; i < keep.size(); ++i)
     keep[i] =

@@ -12,7 +12,7 @@
 namespace cloud_preprocess {
 namespace {
 
-/// A stage, and the settings that make it another one.
+/// A stage and the settings that determine it.
 struct Trial {
   std::string name;
   std::string settings;

@@ -20,7 +20,7 @@ using FinderLoader = pluginlib::ClassLoader<ReferenceFinder>;
           ")");
 }
 
-/// Its code stays loaded as long as it lives.
+/// The plugin. Its library stays loaded as long as it lives.
 std::shared_ptr<ReferenceFinder> plugin() {
   try {
     const auto loader =

@@ -8,10 +8,10 @@
 
 namespace cloud_preprocess {
 
-/// The plugin that finds the object of a reference, which it has loaded; null where the parameters
+/// The plugin that finds a reference's object, with the reference loaded; null if the parameters
 /// select otherwise.
-/// @throw scan_cell_common::Refused where no package has such a plugin
-/// @throw scan_cell_common::FileError, scan_cell_common::UnusableInput of the reference's file
+/// @throw scan_cell_common::Refused if no package has such a plugin
+/// @throw scan_cell_common::FileError, scan_cell_common::UnusableInput for the reference's file
 std::shared_ptr<const ReferenceFinder> load_finder(const IsolationParameters& parameters);
 
 }  // namespace cloud_preprocess

@@ -34,7 +34,7 @@ void CleanNodelet::start() {
   parameters_ = load(getPrivateNodeHandle());
   frames_.set_target(parameters_.target, getNodeHandle());
   constexpr bool kLatched = true;
-  constexpr int kReports = 10;  // more than one cloud has stages
+  constexpr int kReports = 10;  // more than one cloud's stages
   ros::NodeHandle node = getPrivateNodeHandle();
   clean_cloud_ = node.advertise<sensor_msgs::PointCloud2>("clean_cloud", 1, kLatched);
   objects_ = node.advertise<scan_cell_msgs::ObjectClouds>("objects", 1, kLatched);

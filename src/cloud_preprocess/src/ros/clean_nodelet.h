@@ -17,27 +17,27 @@ namespace cloud_preprocess {
 
 struct CleanNodeletParameters {
   TargetFrame target;
-  bool reduce = false;  //!< by the grid
+  bool reduce = false;  //!< whether to use the grid
   CleanParameters stages;
 };
 
 void describe(scan_cell_common::ParameterTable& table, CleanNodeletParameters& parameters);
 
-/// The whole chain as one nodelet: `input` in, `~clean_cloud`, `~objects` and a `~report` a stage
-/// out, all latched. A failure publishes a report that says why, and no cloud. `~apply` reads the
-/// parameters anew and cleans the latest cloud with them once more.
+/// The whole chain as one nodelet. Subscribes `input`; publishes `~clean_cloud`, `~objects` and one
+/// `~report` per stage, all latched. On a failure it publishes a report with the reason and no
+/// cloud. `~apply` reloads the parameters and cleans the latest cloud again.
 class CleanNodelet final : public scan_cell_common::Nodelet {
  private:
   void start() override;
   void on_cloud(const sensor_msgs::PointCloud2ConstPtr& message);
   bool apply(std_srvs::Trigger::Request& request, std_srvs::Trigger::Response& response);
 
-  /// @return why it failed; empty: it did not
+  /// @return why it failed; empty if it did not
   std::string clean_and_publish(const sensor_msgs::PointCloud2& message);
   void run(const sensor_msgs::PointCloud2& message, std_msgs::Header& header,
            std::vector<StageReport>& reports);
 
-  std::mutex mutex_;  // of what follows: a service and a cloud may come at the same time
+  std::mutex mutex_;  // guards the members below: a service and a cloud may arrive at the same time
   CleanNodeletParameters parameters_;
   CloudFrames frames_;
   sensor_msgs::PointCloud2ConstPtr latest_;

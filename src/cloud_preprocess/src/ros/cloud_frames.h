@@ -15,25 +15,25 @@
 
 namespace cloud_preprocess {
 
-/// What every nodelet has besides the parameters of its stages.
+/// Parameters of every nodelet besides those of its stages.
 struct TargetFrame {
-  std::string frame;   //!< empty: each cloud stays in its own
+  std::string frame;   //!< empty: each cloud stays in its own frame
   double timeout = 1;  //!< [s]
 };
 
 void describe(scan_cell_common::ParameterTable& table, TargetFrame& target);
 
-/// Brings clouds into the target frame on their way in.
+/// Transforms incoming clouds into the target frame.
 class CloudFrames {
  public:
-  /// Looks at /tf from now on, where there is a target frame.
+  /// Listens to /tf from now on if there is a target frame.
   void set_target(const TargetFrame& target, const ros::NodeHandle& node);
 
-  /// The header of what comes out for what comes in with this one.
+  /// The header of the output for an input with this header.
   std_msgs::Header header_of(const std_msgs::Header& header) const;
 
-  /// A message's places, in the target frame.
-  /// @param[out] motion by which they were brought there
+  /// A message's points in the target frame.
+  /// @param[out] motion transform applied to them
   /// @throw scan_cell_common::Refused if /tf does not link the frames at the cloud's time
   /// @throw scan_cell_common::UnusableInput if the message has no float32 x, y, z
   TracedCloud places_of(const sensor_msgs::PointCloud2& message, Eigen::Isometry3f& motion) const;
@@ -43,11 +43,11 @@ class CloudFrames {
 
   TargetFrame target_;
   tf2_ros::Buffer transforms_;
-  std::unique_ptr<tf2_ros::TransformListener> listener_;  // none without a target frame
+  std::unique_ptr<tf2_ros::TransformListener> listener_;  // null without a target frame
 };
 
-/// The points of a cloud with all fields that they have in the message they come from.
-/// @param motion by which they were brought into the cloud's frame
+/// The points of a cloud with all fields of the message they come from.
+/// @param motion transform that brought them into the cloud's frame
 sensor_msgs::PointCloud2Ptr to_message(const TracedCloud& cloud,
                                        const sensor_msgs::PointCloud2& source,
                                        const Eigen::Isometry3f& motion,

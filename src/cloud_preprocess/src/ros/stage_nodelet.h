@@ -27,13 +27,13 @@ void describe(scan_cell_common::ParameterTable& table,
   describe(table, parameters.stage);
 }
 
-/// One stage as a nodelet: `input` in, `~output` and `~report` out. A failure publishes a report
-/// that says why, and no cloud. Both topics are latched: a cloud comes once a scan, and who
-/// subscribes after it must not miss it. Clouds in another frame are brought into `~target_frame`
-/// before the stage.
+/// One stage as a nodelet. Subscribes `input`; publishes `~output` and `~report`. On a failure it
+/// publishes a report with the reason and no cloud. Both topics are latched: there is one cloud per
+/// scan, and late subscribers must not miss it. Clouds are transformed into `~target_frame` before
+/// the stage.
 class StageNodelet : public scan_cell_common::Nodelet {
  protected:
-  /// @param[out] target as the parameters have it
+  /// @param[out] target from the parameters
   /// @throw scan_cell_common::InvalidParameter
   virtual std::unique_ptr<const Stage> make_stage(const ros::NodeHandle& node,
                                                   TargetFrame& target) = 0;
@@ -49,7 +49,7 @@ class StageNodelet : public scan_cell_common::Nodelet {
   ros::Subscriber input_;
 };
 
-/// What a stage needs besides its parameters.
+/// Prepares what a stage needs besides its parameters.
 template <class StageParameters>
 void provide(StageParameters& /*parameters*/) {}
 

@@ -10,7 +10,7 @@
 
 namespace cloud_preprocess {
 
-/// @param failure why the stage failed; empty: it did not
+/// @param failure why the stage failed; empty if it did not
 inline scan_cell_msgs::PreprocessReport to_message(const StageReport& report,
                                                    const std::string& failure,
                                                    const std_msgs::Header& header) {

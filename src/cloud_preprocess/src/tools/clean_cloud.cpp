@@ -29,14 +29,14 @@ namespace {
 
 struct Options {
   std::string input, output;
-  std::string edits;         // file; empty: none besides those of the settings
-  std::string objects;       // name of the files of all objects; empty: only one is kept
+  std::string edits;         // file; empty: only those of the settings
+  std::string objects;       // file name for all objects; empty: keep only one
   std::string units;         // of both; empty: not given
-  std::string output_units;  // of the output, if others
+  std::string output_units;  // of the output, if different
   scan_cell_common::CloudFormat format;
 };
 
-/// "floor.margin=0.003" into the tree, as if it stood in the file.
+/// Sets "floor.margin=0.003" in the tree, as if it stood in the file.
 void set(YAML::Node& root, const std::string& setting) {
   const std::size_t equals = setting.find('=');
   const std::size_t dot = setting.find('.');
@@ -83,7 +83,7 @@ void add_limits(CLI::App& app, YAML::Node& root) {
   }
 }
 
-/// Which object is kept.
+/// Adds the options for the object to keep.
 void add_isolation(CLI::App& app, YAML::Node& root) {
   app.add_option_function<std::string>(
       "--reference",
@@ -106,7 +106,7 @@ void add_isolation(CLI::App& app, YAML::Node& root) {
       ->check(CLI::IsMember({"off", "largest", "nearest", "index", "reference"}));
 }
 
-/// Options are carried out in the order they are added in: the file first.
+/// Options are applied in the order they are added: the file first.
 void add_settings(CLI::App& app, YAML::Node& root) {
   app.add_option_function<std::string>(
       "--config", [&root](const std::string& path) { root = scan_cell_common::load_yaml(path); },
@@ -158,13 +158,13 @@ std::string numbered(const std::filesystem::path& file, std::size_t number) {
   return (file.parent_path() / name).string();
 }
 
-/// What an earlier run left.
+/// Removes what an earlier run left.
 void remove_objects(const std::string& file) {
   for (std::size_t i = 0; std::filesystem::exists(numbered(file, i)); ++i)
     scan_cell_common::remove_old(numbered(file, i));
 }
 
-/// @param carried fields of the input
+/// @param carried other fields of the input
 void save(const std::string& path, const TracedCloud& cloud,
           const scan_cell_common::FieldedCloud& carried, double metres_per_unit) {
   if (carried.fields.empty()) {
@@ -195,7 +195,7 @@ void clean_and_save(const Options& options, Cloud cloud,
                 numbered(options.objects, 0).c_str());
 }
 
-/// The parameters, with what they need besides.
+/// The parameters, with everything they need.
 CleanParameters prepared(YAML::Node& root, const Options& options) {
   YAML::Node isolate = root["isolate"];
   if (!options.units.empty() && isolate && isolate["reference"] && !isolate["reference_units"])

@@ -41,7 +41,7 @@ void expect_usable(const ClusterShape& cluster) {
   promise(cluster.place.allFinite() && cluster.gap > 0, "a cluster");
 }
 
-/// Whatever was taken can be done, and leaves the cloud as it is or fewer of its points.
+/// Every accepted edit can be applied, and leaves the cloud's points or fewer of them.
 void run(const std::string& bytes) {
   const auto edits = read_edits(YamlEntry::parse(bytes, "edits.yaml")["edits"]);
   for (const CloudEdit& edit : edits)

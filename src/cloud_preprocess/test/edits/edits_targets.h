@@ -6,5 +6,5 @@
 
 #include "scan_cell_common/testing/fuzzing.h"
 
-/// The reader of edits by hand.
+/// The reader of edits by hand, for the fuzzers.
 std::vector<scan_cell_common::FuzzTarget> edits_targets();

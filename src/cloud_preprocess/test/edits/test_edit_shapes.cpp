@@ -30,7 +30,7 @@ Cloud edited(Cloud cloud, std::vector<CloudEdit> edits) {
   return CloudEdits(std::move(edits)).run(std::move(cloud), report);
 }
 
-/// Keep and delete must part the cloud as the closed form does.
+/// Keep and delete must divide the cloud like the closed form.
 template <class Shape, class Truth>
 void expect_parted(const Shape& shape, const Truth& is_in) {
   std::size_t inside = 0;
@@ -91,7 +91,7 @@ TEST(CloudEditsBy, ABrushTakeWhatLiesWithinItsRadiusOfAnyPlace) {
 }
 
 TEST(CloudEditsBy, AClusterTakeWhatCanBeReachedByStepsOfItsGap) {
-  // Two bars of five points, three steps from each other.
+  // Two bars of five points, three steps apart.
   Cloud cloud;
   for (int i = 0; i < 5; ++i)
     cloud.push_back({static_cast<float>(i * kStep), 0, 0});

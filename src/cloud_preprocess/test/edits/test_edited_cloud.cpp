@@ -11,7 +11,7 @@
 namespace cloud_preprocess {
 namespace {
 
-/// Points all over a cube of 1 m about the origin, a few of them not finite.
+/// Points throughout a cube of 1 m about the origin, a few of them not finite.
 Cloud scattered() {
   std::mt19937 random(5);
   std::uniform_real_distribution<float> place(-0.5F, 0.5F);
@@ -46,7 +46,7 @@ std::vector<CloudEdit> some_edits() {
   return {box_at(0.2, 0.3), {false, half}, {false, prism}, {false, brush}, {true, cluster}};
 }
 
-/// What CloudEdits leaves, which is judged by closed forms elsewhere.
+/// What CloudEdits leaves; other tests check that against closed forms.
 Cloud left_by(const std::vector<CloudEdit>& edits) {
   StageReport report;
   return CloudEdits(edits).run(scattered(), report);

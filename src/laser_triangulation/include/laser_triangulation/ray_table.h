@@ -10,26 +10,26 @@
 
 namespace laser_triangulation {
 
-/// The undistorted rays of all sensor rows, for whole rows and any column: in each row a cubic for
-/// every few columns, through the exact rays at the four Chebyshev nodes of that cell. The cells
-/// are so narrow that the cubics are off by less than 1e-9 (0.5 nm at 0.5 m, 0.1 um at 5 m where
-/// the plane of light is met at ten degrees). 12 MB for 1696 x 1710 pixels.
+/// The undistorted rays of all sensor rows, at any column. Each row is divided into cells of a few
+/// columns, each with a cubic through the exact rays at its four Chebyshev nodes. The cells are
+/// narrow enough for an error below 1e-9 (0.5 nm at 0.5 m, 0.1 um at 5 m if the ray meets the plane
+/// of light at ten degrees). Takes 12 MB for 1696 x 1710 pixels.
 class RayTable {
  public:
-  static constexpr std::size_t kMaxRows = 128;  //!< in one call: fits into the cache; chosen
+  static constexpr std::size_t kMaxRows = 128;  //!< per call: fits into the cache; chosen
 
   /// @throw scan_cell_common::UnusableInput if the lens model cannot be inverted anywhere
   explicit RayTable(const scan_cell_common::CameraIntrinsics& camera);
 
-  /// The rays (x/z, y/z) of one pixel a row, from `first_row` downwards. NaN where the lens model
-  /// cannot be inverted, or only inaccurately.
+  /// The rays (x/z, y/z) of one pixel per row, from `first_row` downwards. NaN where the lens model
+  /// cannot be inverted accurately.
   /// @param columns -0.5 to width - 0.5
-  /// @param count rows, all of them on the sensor, at most kMaxRows
+  /// @param count number of rows, all on the sensor, at most kMaxRows
   void find(std::size_t first_row, const float* columns, std::size_t count,
             Eigen::Vector2d* rays) const;
 
  private:
-  /// A cubic in the position within the cell, 0 .. 1; fills one cache line.
+  /// A cubic in the position 0 .. 1 within the cell; fills one cache line.
   struct alignas(64) Cell {
     Eigen::Vector2d at(double s) const { return c0 + s * (c1 + s * (c2 + s * c3)); }
     Eigen::Vector2d c0, c1, c2, c3;

@@ -16,7 +16,7 @@ class ParameterTable;
 
 namespace laser_triangulation {
 
-/// One point of a scan, laid out as in its PointCloud2 (docs/laser_triangulation.md).
+/// One point of a scan, with the layout of its PointCloud2 (docs/laser_triangulation.md).
 struct ScanPoint {
   float x = 0;             //!< [m] in the frame of the profiles' poses
   float y = 0;             //!< [m]
@@ -24,17 +24,17 @@ struct ScanPoint {
   float intensity = 0;     //!< [grey value] height of the peak
   std::uint8_t laser = 0;  //!< 0: laser_0, 1: laser_1
   std::uint8_t pass = 0;   //!< of the scan, from 0
-  /// Zero, so that the same scan gives the same bytes.
+  /// Zero, so that the same scan always gives the same bytes.
   std::uint8_t padding[2] = {0, 0};
   float width = 0;  //!< [px] of the stripe
-  /// [m] the camera's centre when it saw the point, in the same frame, as PCL names it.
+  /// [m] the camera's centre when it saw the point, in the same frame; named as in PCL.
   float vp_x = 0;
   float vp_y = 0;  //!< [m]
   float vp_z = 0;  //!< [m]
 };
 static_assert(sizeof(ScanPoint) == 36);
 
-/// The peaks of one frame, one a row from first_row downwards; NaN where a row has none. The arrays
+/// The peaks of one frame, one per row from first_row downwards; NaN if a row has none. The arrays
 /// have `rows` elements and are owned by the caller.
 struct ProfileView {
   std::size_t laser = 0;             //!< index into scan_cell_common::ScannerModel::lasers
@@ -46,7 +46,7 @@ struct ProfileView {
   std::uint8_t pass = 0;             //!< of the scan, from 0
 };
 
-/// Which peaks become points. A width or intensity of NaN passes only infinite limits.
+/// Limits of the peaks that become points. A width or intensity of NaN passes only infinite limits.
 struct PeakLimits {
   double min_width = 0;                                            //!< [px]
   double max_width = std::numeric_limits<double>::infinity();      //!< [px]
@@ -56,39 +56,40 @@ struct PeakLimits {
   double max_range = 5;                                            //!< [m]
 };
 
-/// With range, unit and meaning of each. Refuses a least above its most.
+/// Describes every limit: range, unit and meaning. Refuses a minimum above its maximum.
 void describe(scan_cell_common::ParameterTable& table, PeakLimits& limits);
 
-/// What became of every row.
+/// Counts of what became of every row.
 struct PeakCounts {
-  std::uint64_t profiles = 0;           //!< taken
-  std::uint64_t points = 0;             //!< made
-  std::uint64_t rows_without_peak = 0;  //!< NaN in the profile
-  std::uint64_t outside_sensor = 0;     //!< or the lens model cannot be inverted, or no such laser
+  std::uint64_t profiles = 0;           //!< profiles added
+  std::uint64_t points = 0;             //!< points made
+  std::uint64_t rows_without_peak = 0;  //!< position is NaN in the profile
+  std::uint64_t outside_sensor = 0;     //!< also: lens model not invertible, or no such laser
   std::uint64_t by_width = 0;           //!< outside of the limits
   std::uint64_t by_intensity = 0;       //!< outside of the limits
   std::uint64_t by_range = 0;           //!< outside of the limits
 
-  /// Peaks that became no point.
+  /// Peaks that did not become points.
   std::uint64_t rejected() const { return outside_sensor + by_width + by_intensity + by_range; }
 };
 
-/// Peaks to points: undistorted ray, its intersection with the plane of light, the flange's pose.
+/// Turns peaks into points: undistorts the ray, intersects it with the plane of light, and
+/// transforms the result by the flange's pose.
 class Triangulator {
  public:
   /// @throw scan_cell_common::UnusableInput if the model makes no sense
-  /// @throw scan_cell_common::InvalidParameter if a least limit is above its most
+  /// @throw scan_cell_common::InvalidParameter if a minimum is above its maximum
   Triangulator(const scan_cell_common::ScannerModel& model, const PeakLimits& limits);
 
   /// Whether the model has a plane for this laser.
   bool has_laser(std::size_t index) const { return model_.has_laser(index); }
 
-  /// Appends the profile's points in the order of its rows.
-  /// @param flange pose of tool0 in the frame the points are wanted in
+  /// Appends the profile's points in row order.
+  /// @param flange pose of tool0 in the output frame of the points
   void add(const ProfileView& profile, const Eigen::Isometry3d& flange,
            std::vector<ScanPoint>& points);
 
-  /// Of all profiles so far.
+  /// Counts over all profiles so far.
   const PeakCounts& counts() const { return counts_; }
 
  private:
@@ -96,7 +97,7 @@ class Triangulator {
   const RayTable rays_;
   const PeakLimits limits_;
   PeakCounts counts_;
-  std::vector<ScanPoint> profile_;  // room for the points of one
+  std::vector<ScanPoint> profile_;  // buffer for the points of one profile
 };
 
 }  // namespace laser_triangulation

@@ -39,7 +39,7 @@ scan_cell_common::ScannerModel scanner() {
 
 constexpr std::size_t kProfiles = 100;  // chosen
 
-/// Lines that bend and jump as on a moulding, and travel over the sensor from profile to profile.
+/// Lines that bend and jump as on a moulding, and move across the sensor from profile to profile.
 std::vector<std::vector<float>> lines() {
   std::vector<std::vector<float>> positions(kProfiles, std::vector<float>(kRows));
   for (std::size_t profile = 0; profile < kProfiles; ++profile) {
@@ -56,7 +56,7 @@ std::vector<std::vector<float>> lines() {
 const cv::TermCriteria kOpenCvsOwn(cv::TermCriteria::COUNT, 5, 0.01);
 const cv::TermCriteria kTightest(cv::TermCriteria::COUNT | cv::TermCriteria::EPS, 1000, 1e-15);
 
-/// A profile's rays through OpenCV.
+/// Computes a profile's rays with OpenCV.
 void undistort(const scan_cell_common::CameraIntrinsics& camera, const std::vector<float>& position,
                const cv::TermCriteria& end, std::vector<cv::Point2d>& rays) {
   const cv::Matx33d matrix(camera.fx, 0, camera.cx, 0, camera.fy, camera.cy, 0, 0, 1);
@@ -80,7 +80,7 @@ void plain_way(const scan_cell_common::ScannerModel& model, const std::vector<fl
   }
 }
 
-/// Million points a second in the fastest pass over all profiles.
+/// Million points per second in the fastest pass over all profiles.
 class Rate {
  public:
   explicit Rate(std::function<void(std::size_t)> profile) : profile_(std::move(profile)) {}
@@ -100,7 +100,7 @@ class Rate {
   double best_ = 0;
 };
 
-/// [m] between points of the same rows; nothing where their numbers differ.
+/// [m] greatest distance between points of the same rows; none if their numbers differ.
 std::optional<double> farthest(const std::vector<ScanPoint>& points,
                                const std::vector<Eigen::Vector3f>& others) {
   if (points.size() != others.size()) return std::nullopt;
@@ -113,7 +113,7 @@ std::optional<double> farthest(const std::vector<ScanPoint>& points,
 }
 
 void pass_in_turns(const std::vector<Rate*>& rates) {
-  constexpr int kPasses = 100;  // in turns, so that other load affects all alike; chosen
+  constexpr int kPasses = 100;  // taken in turns, so that other load affects all alike; chosen
   for (int i = 0; i < kPasses; ++i) {
     for (Rate* rate : rates)
       rate->pass();

@@ -10,11 +10,11 @@ namespace laser_triangulation {
 
 /// Writes binary PLY with the scan_point_fields(), whole or not at all.
 /// @param metres_per_unit of x, y, z in the file
-/// @throw scan_cell_common::FileError if it cannot be written or the ending is not .ply
+/// @throw scan_cell_common::FileError if it cannot be written or the extension is not .ply
 void save_ply(const std::string& path, const ScanCloud& points, double metres_per_unit = 1);
 
 /// Throws what save_ply() would throw for this path, before there is anything to save.
-/// @throw scan_cell_common::FileError if the ending is not .ply, or the folder does not exist
+/// @throw scan_cell_common::FileError if the extension is not .ply, or the folder does not exist
 void check_ply_output(const std::string& path);
 
 }  // namespace laser_triangulation

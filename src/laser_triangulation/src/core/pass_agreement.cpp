@@ -15,13 +15,13 @@ namespace laser_triangulation {
 namespace {
 
 using scan_cell_common::kMillimetres;
-constexpr std::size_t kMaxMended = 64;  // sweeps; chosen: a system of 384 unknowns
-// [m] from the middle of the range of depths in which a laser's points are as uncertain as that;
-// chosen: half of it at the usual distance
+constexpr std::size_t kMaxMended = 64;  // sweeps: a system of 384 unknowns; chosen
+// [m] lever arm: half of the depth range at the usual distance in which a laser's points have that
+// uncertainty; chosen
 constexpr double kLever = 0.1;
-constexpr double kMaxDeviations = 3;  // of a motion along each axis; chosen, as 99.7 %
+constexpr double kMaxDeviations = 3;  // of a motion along each axis (99.7 %); chosen
 
-/// Why the sweeps cannot be mended, for a person; empty: they can.
+/// Why the sweeps cannot be corrected, for a person; empty if they can.
 std::string why_not_mended(const std::vector<Sweep>& sweeps,
                            const std::vector<double>& deviations) {
   if (sweeps.size() > kMaxMended)
@@ -33,8 +33,8 @@ std::string why_not_mended(const std::vector<Sweep>& sweeps,
   return "";
 }
 
-/// Variances of a sweep's shift [m2] and turn [rad2] along and about each axis. Those of the sweeps
-/// are taken as independent, which allows more than the lasers' common errors would.
+/// Variances of each sweep's shift [m2] and rotation [rad2] along and about each axis. Sweeps are
+/// assumed independent, which allows more than the lasers' common errors would.
 Eigen::MatrixXd covariance_of(const std::vector<Sweep>& sweeps,
                               const std::vector<double>& deviations) {
   Eigen::VectorXd variances(static_cast<Eigen::Index>(6 * sweeps.size()));
@@ -48,7 +48,7 @@ Eigen::MatrixXd covariance_of(const std::vector<Sweep>& sweeps,
   return variances.asDiagonal();
 }
 
-/// The first sweep whose motion is more than its covariance explains.
+/// The first sweep whose motion exceeds what its covariance explains.
 std::optional<std::size_t> beyond(const PassCorrection& correction,
                                   const Eigen::MatrixXd& covariance) {
   for (std::size_t i = 0; i < correction.motions.size(); ++i) {
@@ -91,7 +91,7 @@ std::string figures(const PassOverlap& overlap) {
   return text;
 }
 
-/// The pair that disagrees the most.
+/// The pair that disagrees most.
 const PassOverlap& worst_of(const std::vector<PassOverlap>& overlaps) {
   return *std::max_element(overlaps.begin(), overlaps.end(), [](const auto& a, const auto& b) {
     return std::tie(a.apart, a.shifted, a.median) < std::tie(b.apart, b.shifted, b.median);
@@ -118,7 +118,7 @@ constexpr const char* kLookAt =
     "; look at the calibration, at the time offset between poses and pulses, and whether a part "
     "moved between the passes";
 
-/// Mends the passes, or says in the message why not.
+/// Corrects the passes, or says in the message why not.
 /// @return whether a person should look for the cause
 bool mend(const SharedPlaces& shared, const std::vector<double>& deviations, ScanCloud& cloud,
           PassAgreement& result) {

@@ -13,17 +13,16 @@
 namespace laser_triangulation {
 namespace {
 
-// [m] of the mean of a patch in its plane: noise of its points and roughness; chosen
+// [m] deviation of a patch's mean along its normal: noise of its points and roughness; chosen
 constexpr double kPatchDeviation = 0.03e-3;
-// Neighbouring places share points and faults of the sensor, so that they say less than their
-// number; chosen
+// Neighbouring places share points and sensor errors, so they tell less than their number; chosen
 constexpr double kPerIndependent = 10;
-constexpr double kRobustWidth = 0.1e-3;  // [m] Cauchy's: beyond it a pair counts less; chosen
-constexpr int kRounds = 10;              // of the weights; chosen: they settle within five
+constexpr double kRobustWidth = 0.1e-3;  // [m] Cauchy's: beyond, a pair counts less; chosen
+constexpr int kRounds = 10;              // of reweighting, which settles within five; chosen
 
 using Row = Eigen::Matrix<double, 12, 1>;
 
-/// Two sweeps at a place: how far apart, and how that changes with their motions.
+/// Two sweeps at a place: their distance and its derivatives by their motions.
 struct Pair {
   Eigen::Index one;  // first unknown of the sweep
   Eigen::Index other;
@@ -31,7 +30,7 @@ struct Pair {
   double distance;  // [m]
 };
 
-using SweepPairs = std::set<std::pair<std::size_t, std::size_t>>;  // indices, the lower one first
+using SweepPairs = std::set<std::pair<std::size_t, std::size_t>>;  // indices, lower one first
 
 SweepPairs indices_of(const std::vector<PassOverlap>& overlaps, const std::vector<Sweep>& sweeps) {
   const auto index_of = [&](const Sweep& wanted) {
@@ -84,7 +83,7 @@ double distance_after(const Pair& pair, const Eigen::VectorXd& motions) {
          pair.row.tail<6>().dot(motions.segment<6>(pair.other));
 }
 
-/// [m] the mean of each sweep's places, whether others share them or not.
+/// [m] the mean of each sweep's places, shared or not.
 std::vector<Eigen::Vector3d> centres_of(const SharedPlaces& shared) {
   std::vector<Eigen::Vector3d> centres(shared.sweeps.size(), Eigen::Vector3d::Zero());
   std::vector<double> counts(shared.sweeps.size(), 0);
@@ -108,7 +107,8 @@ PassCorrection find_correction(const SharedPlaces& shared, const std::vector<Pas
   const std::vector<Eigen::Vector3d> centres = centres_of(shared);
   const std::vector<Pair> pairs = pairs_of(shared, compared, centres);
   const Eigen::Index size = covariance.rows();
-  // x = C (1 + H C)^-1 g instead of (C^-1 + H)^-1 g: C may lack directions that cannot move.
+  // x = C (1 + H C)^-1 g instead of (C^-1 + H)^-1 g: C may be singular in directions that cannot
+  // move.
   Eigen::VectorXd motions = Eigen::VectorXd::Zero(size);
   Eigen::VectorXd pull = Eigen::VectorXd::Zero(size);  // motions = covariance * pull
   for (int round = 0; round < kRounds; ++round) {

@@ -13,17 +13,17 @@
 namespace laser_triangulation {
 namespace {
 
-constexpr std::size_t kMinCompared = 100;   // fewer say nothing; chosen
-constexpr std::size_t kMaxPartners = 8;     // of a sweep, at one place; chosen
-constexpr std::size_t kMaxRays = 20'000;    // from surfaces to the camera; chosen
-constexpr double kBeside = 0.7e-3;          // [m] of a point that lies above or below; chosen
-constexpr double kPatch = 15e-3;            // [m] of the surface that may have moved alone; chosen
-constexpr std::size_t kMinOnPatch = 4;      // points of which half is not chance; chosen
-constexpr std::size_t kMinApart = 20;       // points; chosen: a patch of several mm
-constexpr double kMinShareApart = 0.02;     // of the points of a pair; chosen
+constexpr std::size_t kMinCompared = 100;  // fewer tell nothing; chosen
+constexpr std::size_t kMaxPartners = 8;    // of a sweep at one place; chosen
+constexpr std::size_t kMaxRays = 20'000;   // from surface to camera; chosen
+constexpr double kBeside = 0.7e-3;         // [m] lateral distance of a point above or below; chosen
+constexpr double kPatch = 15e-3;         // [m] size of a surface that may have moved alone; chosen
+constexpr std::size_t kMinOnPatch = 4;   // points whose median is not chance; chosen
+constexpr std::size_t kMinApart = 20;    // points: a patch of several mm; chosen
+constexpr double kMinShareApart = 0.02;  // of the points of a pair; chosen
 constexpr double kMinShareShifted = 0.005;  // the same; a small part on a large table; chosen
 
-/// [m] of two sweeps at a place; none where they cannot be compared there.
+/// [m] distance between two sweeps at a place; none if they cannot be compared there.
 std::optional<double> distance(const SweepPatch& one, const SweepPatch& other) {
   if (!one.whole && !other.whole) return std::nullopt;
   const SweepPatch& surface = one.whole ? one : other;
@@ -33,12 +33,13 @@ std::optional<double> distance(const SweepPatch& one, const SweepPatch& other) {
   if (second.whole) return std::abs(surface.normal.dot(offset));
   const double height = surface.normal.dot(offset);
   const double beside = (offset - height * surface.normal).norm();
-  // Nearer, or beside it, is a rim; above or below a whole surface is another surface.
+  // A point nearer than that, or to the side, is at a rim. One above or below a whole surface is on
+  // another surface.
   if (std::abs(height) < kApart || beside > kBeside) return std::nullopt;
   return std::abs(height);
 }
 
-/// The value below which this share of them is.
+/// The value below which this share of the values lies.
 double quantile(std::vector<double>& values, double share) {
   const auto place =
       values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
@@ -46,7 +47,7 @@ double quantile(std::vector<double>& values, double share) {
   return *place;
 }
 
-/// Distances [m] of two sweeps.
+/// Distances [m] between two sweeps.
 struct PairDistances {
   using Patch = std::array<std::int64_t, 3>;
 
@@ -78,7 +79,7 @@ void compare_at(const std::vector<SweepPatch>& patches, std::size_t place, Dista
   const std::size_t count = patches.size();
   const std::size_t half = count / 2;
   for (std::size_t i = 0; i < count; ++i) {
-    if (half > kMaxPartners) {  // other ones at each place
+    if (half > kMaxPartners) {  // different ones at each place
       for (std::size_t k = 0; k < kMaxPartners; ++k) {
         const std::size_t j = (i + 1 + (place * kMaxPartners + k) % half) % count;
         compare(patches[std::min(i, j)], patches[std::max(i, j)]);
@@ -90,14 +91,14 @@ void compare_at(const std::vector<SweepPatch>& patches, std::size_t place, Dista
   }
 }
 
-/// Whether the camera saw a point through a whole patch of another sweep: of two surfaces that far
-/// apart that they are not compared, one was not there.
+/// Finds points that the camera saw through a whole patch of another sweep: two surfaces too far
+/// apart to be compared, one of which was not there.
 void look_through(const SharedPlaces& shared, const PlaceGrid& grid, const SweepPatch& seen,
                   Distances& distances) {
-  constexpr double kBegin = 3e-3;        // [m] before the point; chosen
-  constexpr double kEnd = 40e-3;         // [m] chosen: further off, the parts are not small
+  constexpr double kBegin = 3e-3;        // [m] in front of the point; chosen
+  constexpr double kEnd = 40e-3;         // [m] farther off, the parts are not small; chosen
   constexpr double kMiddle = 1e-3;       // [m] half of a patch's reach, well within it
-  constexpr double kMinIncidence = 0.3;  // cosine; chosen: no ray along a surface
+  constexpr double kMinIncidence = 0.3;  // cosine: no ray along a surface; chosen
   const Eigen::Vector3d towards = (seen.from - seen.nearest).normalized();
   for (double at = SharedPlaces::kSearch; at < kEnd; at += SharedPlaces::kSearch) {
     const Eigen::Vector3d on_ray = seen.nearest + at * towards;
@@ -109,7 +110,7 @@ void look_through(const SharedPlaces& shared, const PlaceGrid& grid, const Sweep
           continue;
         const double depth = patch.normal.dot(patch.mean - seen.nearest) / incidence;
         const bool beside = (seen.nearest + depth * towards - patch.mean).norm() > kMiddle;
-        // Of the steps along the ray, the one that is nearest to the crossing.
+        // Counts the crossing only at the nearest step along the ray.
         if (beside || depth < kBegin || std::abs(depth - at) > SharedPlaces::kSearch / 2) continue;
         distances[std::minmax(patch.sweep, seen.sweep)].add(depth, seen.nearest);
       }
@@ -163,8 +164,8 @@ std::vector<Sweep> sweeps_alone(const SharedPlaces& shared,
 
 namespace {
 
-/// @param points of those of the pair
-/// @param share that is no chance
+/// @param points number of the pair's points concerned
+/// @param share share above chance
 bool is_more_than(double share, std::size_t points, const PassOverlap& overlap) {
   return points >= kMinApart &&
          static_cast<double>(points) >= share * static_cast<double>(overlap.points);

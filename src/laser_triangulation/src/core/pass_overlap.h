@@ -8,38 +8,38 @@
 
 namespace laser_triangulation {
 
-/// How far two sweeps lie apart where both saw the surface.
+/// The distance between two sweeps where both saw the surface.
 struct PassOverlap {
   Sweep one;
   Sweep other;
-  std::size_t points = 0;  //!< of the other that were compared
-  double median = 0;       //!< [m] distance along the surface's normal, without its sign
-  double most = 0;         //!< [m] the same of 95 %
-  std::size_t apart = 0;   //!< of the points: those further off than kApart
-  /// Of the points: those on patches of the surface of which half lies further off than kShifted.
+  std::size_t points = 0;  //!< number of points compared
+  double median = 0;       //!< [m] absolute distance along the surface's normal
+  double most = 0;         //!< [m] 95th percentile of the same
+  std::size_t apart = 0;   //!< number of points farther off than kApart
+  /// Number of points on patches of the surface whose median lies farther off than kShifted.
   std::size_t shifted = 0;
 };
 
-/// [m] Passes of the worst scanner that was ever calibrated agree to a third of it; chosen.
+/// [m] The passes of the worst scanner ever calibrated agree to a third of this; chosen.
 constexpr double kApart = 1e-3;
-// [m] Chosen: twice the goal of 0.1 mm and a robot's repeatability of 0.05 mm, as both passes have
-// them. The calibration's uncertainty knows nothing of the robot.
+// [m] Chosen: the goal of 0.1 mm plus a robot's repeatability of 0.05 mm, twice, since both passes
+// have them. The calibration's uncertainty does not include the robot.
 constexpr double kShifted = 2 * (0.1e-3 + 0.05e-3);
 
 /// Compares the sweeps in pairs: a point of one with the plane through the other's surface around
-/// it. Edges, rims of shadows, the two sides of a wall, and what only one of them saw are passed
-/// over. Pairs that share too little are left out.
+/// it. Skips edges, rims of shadows, the two sides of a wall, and what only one of them saw. Pairs
+/// that share too little are left out.
 std::vector<PassOverlap> compare_sweeps(const SharedPlaces& shared);
 
-/// Sweeps that could be compared with no other.
+/// Sweeps that could not be compared with any other.
 std::vector<Sweep> sweeps_alone(const SharedPlaces& shared,
                                 const std::vector<PassOverlap>& overlaps);
 
-/// Whether so many points of a pair lie apart that no rim of a shadow explains it.
+/// Whether too many points of a pair lie apart for a rim of a shadow to explain it.
 bool disagree(const PassOverlap& overlap);
 
-/// Whether a pair, or a part of the surface that is more than noise, lies further apart than
-/// kShifted: a part that moved, beside others that did not.
+/// Whether a pair, or a part of its surface too large to be noise, lies farther apart than
+/// kShifted, as when one part moved beside others that did not.
 bool is_shifted(const PassOverlap& overlap);
 
 }  // namespace laser_triangulation

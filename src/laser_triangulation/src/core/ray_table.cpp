@@ -16,7 +16,7 @@ namespace {
 
 constexpr double kAllowed = 1e-9;  // of x/z and y/z: 0.5 nm at 0.5 m; chosen
 
-/// Positions in a cell, 0 .. 1: where the cubic is exact, and where its error is largest.
+/// Positions in a cell, 0 .. 1, at which the cubic is exact, and at which its error is largest.
 const Eigen::Array4d kNodes = 0.5 - 0.5 * (Eigen::Array4d(1, 3, 5, 7) * M_PI / 8).cos();
 const Eigen::Array<double, 5, 1> kBetween =
     0.5 - 0.5 * (Eigen::Array<double, 5, 1>(0, 1, 2, 3, 4) * M_PI / 4).cos();
@@ -28,7 +28,7 @@ Eigen::Matrix4d from_nodes() {
   return powers.inverse();
 }
 
-/// @param ray where to start from, if finite; the solution on return, NaN where there is none
+/// @param ray start value, if finite; the solution on return, NaN if there is none
 void solve(const scan_cell_common::CameraIntrinsics& camera, int row, double column,
            Eigen::Vector2d& ray) {
   const Eigen::Vector2d distorted((column - camera.cx) / camera.fx, (row - camera.cy) / camera.fy);
@@ -69,11 +69,11 @@ void RayTable::find(std::size_t first_row, const float* columns, std::size_t cou
     rays[i] = row[cell[i]].at(within[i]);
 }
 
-/// @return how far the cubics are off
+/// @return the error of the cubics
 double RayTable::choose_width(const scan_cell_common::CameraIntrinsics& camera) {
   constexpr double kWidest = 16;    // [px] chosen
   constexpr double kNarrowest = 4;  // [px] chosen
-  constexpr int kRows = 32;         // [px] between two that are checked: distortion changes slowly
+  constexpr int kRows = 32;         // [px] between checked rows: distortion changes slowly
   for (width_ = kWidest;; width_ /= 2) {
     per_column_ = 1 / width_;
     cells_in_row_ = static_cast<std::size_t>(camera.width * per_column_) + 1;
@@ -101,8 +101,8 @@ void RayTable::fill(const scan_cell_common::CameraIntrinsics& camera, int row, C
   }
 }
 
-/// The largest error between the nodes. A cell with an error above kAllowed, as where the lens
-/// model is about to fold over, becomes NaN.
+/// The largest error between the nodes. A cell with an error above kAllowed becomes NaN, as where
+/// the lens model is about to fold over.
 double RayTable::measure(const scan_cell_common::CameraIntrinsics& camera, int row,
                          Cell* cells) const {
   double worst = 0;

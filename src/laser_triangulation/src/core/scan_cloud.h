@@ -10,14 +10,14 @@
 
 namespace laser_triangulation {
 
-/// What a ScanPoint holds, as messages and files name it.
+/// The fields of a ScanPoint, as named in messages and files.
 std::vector<scan_cell_common::CloudField> scan_point_fields();
 
-/// The points of a scan, in blocks: unlike a vector, it grows without copying, and takes no more
+/// The points of a scan, in blocks. Unlike a vector, it grows without copying, and takes no more
 /// memory than the points.
 class ScanCloud {
  public:
-  /// Appends points at the end.
+  /// Appends points.
   void append(const std::vector<ScanPoint>& points);
 
   std::size_t size() const { return size_; }
@@ -26,7 +26,7 @@ class ScanCloud {
     return blocks_[index / kBlock][index % kBlock];
   }
 
-  /// Calls change(point) with each point.
+  /// Calls change(point) for each point.
   template <class Change>
   void for_each(const Change& change) {
     for (std::vector<ScanPoint>& block : blocks_) {
@@ -41,7 +41,7 @@ class ScanCloud {
  private:
   static constexpr std::size_t kBlock = 65536;  // points; chosen
 
-  std::vector<std::vector<ScanPoint>> blocks_;  // all full but the last
+  std::vector<std::vector<ScanPoint>> blocks_;  // all full except the last
   std::size_t size_ = 0;
 };
 

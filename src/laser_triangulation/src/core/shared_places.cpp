@@ -15,12 +15,12 @@
 namespace laser_triangulation {
 namespace {
 
-constexpr std::size_t kMaxPoints = 4'000'000;  // looked at; chosen: a second or two
+constexpr std::size_t kMaxPoints = 4'000'000;  // used; takes a second or two; chosen
 constexpr std::size_t kMaxPlaces = 10'000;     // chosen: 1 % of the surface is 100 of them
 constexpr std::size_t kMaxPatches = 400'000;   // 60 MB; chosen
 constexpr std::size_t kMinPoints = 12;         // of a whole patch; chosen
-constexpr double kMaxRoughness = 1e-4;         // [m] RMS of a patch that is no edge; chosen
-// Of a full disc it is half of the radius along each axis.
+constexpr double kMaxRoughness = 1e-4;         // [m] RMS of a patch without an edge; chosen
+// A full disc has half of the radius along each axis.
 constexpr double kMinBreadth = 0.6 * SharedPlaces::kReach / 2;  // [m] RMS; chosen
 constexpr double kMaxAside = 0.3 * SharedPlaces::kReach;        // [m] of its mean; chosen
 
@@ -42,7 +42,7 @@ std::vector<Sweep> sweeps_of(const ScanCloud& cloud) {
   return sweeps;
 }
 
-/// Sums over the points of one sweep around a place, from there.
+/// Sums over the points of one sweep around a place, relative to the place.
 struct Sums {
   std::size_t sweep = 0;
   std::size_t count = 0;
@@ -83,7 +83,7 @@ struct Sums {
   }
 };
 
-/// Of different cells far apart it may be the same: their places are too far off then.
+/// Cells far apart may share a number; their places are then too far off to matter.
 std::uint64_t cell_of(const Eigen::Vector3d& point) {
   constexpr int kBits = 21;
   std::uint64_t cell = 0;
@@ -108,7 +108,7 @@ std::vector<Eigen::Vector3d> choose_places(const ScanCloud& cloud, std::size_t s
   return places;
 }
 
-/// Of a place, the sums of a sweep; points come sweep by sweep for the most part.
+/// The sums of a sweep at a place. Points mostly come sweep by sweep.
 Sums& sums_of(std::vector<Sums>& of_place, std::size_t sweep) {
   for (auto each = of_place.rbegin(); each != of_place.rend(); ++each)
     if (each->sweep == sweep) return *each;

@@ -41,7 +41,8 @@ void describe_pair(ParameterTable& table, const std::string& name, double& min, 
                fmt::format("give at most max_{}, {:g}", name, max));
 }
 
-/// Whether a peak lies on the sensor and within the limits. Written without branches, for vectors.
+/// Whether a peak lies on the sensor and within the limits. Free of branches, so that it
+/// vectorises.
 class PeakFilter {
  public:
   PeakFilter(const PeakLimits& limits, int sensor_width)
@@ -65,12 +66,12 @@ class PeakFilter {
  private:
   float last_column_;
   float min_width_, max_width_, min_intensity_, max_intensity_;
-  bool width_matters_, intensity_matters_;  // NaN is not within limits that were set
+  bool width_matters_, intensity_matters_;  // NaN is outside limits that are set
 };
 
-/// From a ray to the point where it meets the plane of light, in the frame the points are wanted
-/// in: place + (x, y, z) / w, where (x, y, z, w) is linear in the ray. On the plane
-/// w = 1 / depth = normal . ray / distance.
+/// Maps a ray to its intersection with the plane of light, in the output frame: place + (x, y, z) /
+/// w, where (x, y, z, w) is linear in the ray. On the plane w = 1 / depth = normal . ray /
+/// distance.
 struct RayToPoint {
   RayToPoint(const scan_cell_common::LaserPlane& plane, const Eigen::Isometry3d& camera,
              const PeakLimits& limits)
@@ -104,13 +105,13 @@ void count_rejected(const PeakFilter& filter, const ProfileView& profile, std::s
   }
 }
 
-/// Rows that are processed together, one field after the other: the compiler vectorises such loops.
+/// Rows processed together, one field after the other: the compiler vectorises such loops.
 struct Block {
   static constexpr std::size_t kRows = RayTable::kMaxRows;
 
   std::size_t count = 0;
   bool fits[kRows];
-  float column[kRows];  // 0 where the peak does not fit
+  float column[kRows];  // 0 if the peak does not fit
   Eigen::Vector2d ray[kRows];
   double inverse_depth[kRows];
   float x[kRows], y[kRows], z[kRows];

@@ -164,7 +164,7 @@ std::vector<std::string> CloudBuilder::agreement_lines(
   constexpr std::size_t kMaxPairs = 10;  // chosen
   std::vector<std::string> lines;
   if (!statistics.agreement_message.empty()) lines.push_back(statistics.agreement_message);
-  // The message has the figures of the worst pair.
+  // The message already has the figures of the worst pair.
   const std::size_t overlaps = statistics.overlaps.size() > 1 ? statistics.overlaps.size() : 0;
   const std::size_t pairs = std::min(kMaxPairs, overlaps);
   for (std::size_t i = 0; i < pairs; ++i) {

@@ -16,42 +16,42 @@
 
 namespace laser_triangulation {
 
-/// The cloud of one scan, from messages.
+/// Builds the cloud of one scan from messages.
 class CloudBuilder {
  public:
   /// @param max_points held in memory (36 bytes each)
-  /// @param deviations [m] of a scanned point, by laser, as the calibration leaves them; none: the
-  /// passes are compared, not mended
+  /// @param deviations [m] standard deviations of a scanned point, by laser, from the calibration;
+  /// empty: the passes are compared but not corrected
   CloudBuilder(const scan_cell_common::ScannerModel& model, const PeakLimits& limits,
                std::size_t max_points, const std::vector<double>& deviations = {});
 
   /// @throw scan_cell_common::UnusableInput if the profile's arrays, laser, pose or frame are
   /// invalid; nothing is added
-  /// @throw scan_cell_common::Refused if the points do not fit, or after bring_together() has moved
-  /// some
+  /// @throw scan_cell_common::Refused if the points exceed max_points, or after bring_together()
+  /// has moved some
   void add(const scan_cell_msgs::BoundProfile& profile);
 
   std::uint64_t profiles() const { return triangulator_.counts().profiles; }
   const ScanCloud& points() const { return points_; }
 
-  /// The points from `first` on. Frame: the profiles'; stamp: the last pulse's.
+  /// The points from `first` on, with the frame of the profiles and the stamp of the last pulse.
   sensor_msgs::PointCloud2 cloud(std::size_t first = 0) const;
 
-  /// Compares the passes, once, and mends what the calibration's uncertainty explains. Takes a
-  /// second or two of a large scan.
+  /// Compares the passes, once, and corrects what the calibration's uncertainty explains. Takes a
+  /// second or two for a large scan.
   void bring_together();
 
-  /// With the agreement of the passes, after bring_together().
+  /// The statistics; after bring_together() with the agreement of the passes.
   scan_cell_msgs::CloudStatistics statistics(const std::string& scan_id) const;
 
   /// For a person: what became of every row.
   std::string summary() const;
 
-  /// For a person: the pass and the laser that had profiles but no point in any; empty: all had.
+  /// For a person: the pass and laser whose profiles gave no point at all; empty: there is none.
   std::string find_dark_sweep() const;
 
-  /// For a person: whether the passes agree, one line a pair where there are several (at most
-  /// ten), one a correction.
+  /// For a person: whether the passes agree; one line per pair if there are several (at most ten),
+  /// and one per correction.
   static std::vector<std::string> agreement_lines(
       const scan_cell_msgs::CloudStatistics& statistics);
 
@@ -69,8 +69,8 @@ class CloudBuilder {
   std::size_t max_points_;
   std::vector<double> deviations_;
   ScanCloud points_;
-  std::optional<PassAgreement> agreement_;  // once they were compared
-  std::vector<ScanPoint> profile_;          // the points of the last
+  std::optional<PassAgreement> agreement_;  // once compared
+  std::vector<ScanPoint> profile_;          // the points of the last profile
   std_msgs::Header header_;
   double seconds_ = 0;
 };

@@ -12,7 +12,7 @@ struct Parameters {
   std::string scanner;
   PeakLimits limits;
   double publish_rate = 50;             //!< [Hz]
-  std::size_t max_points = 50'000'000;  //!< of a scan (36 bytes each)
+  std::size_t max_points = 50'000'000;  //!< per scan (36 bytes each)
 
   /// The default stays below the 1e9 bytes at which roscpp closes a connection, with room for the
   /// rest of an action's result.
@@ -20,7 +20,7 @@ struct Parameters {
   std::string cloud_folder = ".";
 };
 
-/// With range, unit and meaning of each.
+/// Describes every parameter: range, unit and meaning.
 void describe(scan_cell_common::ParameterTable& table, Parameters& parameters);
 
 }  // namespace laser_triangulation

@@ -24,7 +24,7 @@ using scan_cell_msgs::StartScan;
 
 namespace {
 
-/// Different for each scan, with only safe characters of its id.
+/// A file name unique to each scan, with only the safe characters of its id.
 std::string file_name(std::string scan_id, const ros::Time& stamp) {
   for (char& letter : scan_id) {
     const bool plain = std::isalnum(static_cast<unsigned char>(letter)) != 0 || letter == '-';
@@ -41,9 +41,9 @@ TriangulationServices::TriangulationServices(ros::NodeHandle node, ros::NodeHand
       model_(scan_cell_common::load_scanner_model(parameters.scanner)),
       deviations_(scan_cell_common::load_point_deviations(parameters.scanner)),
       diagnostics_(node, private_node, private_node.getNamespace()) {
-  Triangulator(model_, parameters.limits);  // refuses limits that contradict each other
+  Triangulator(model_, parameters.limits);  // refuses contradictory limits
 
-  constexpr std::uint32_t kUnbounded = 0;     // messages: no data are discarded unread
+  constexpr std::uint32_t kUnbounded = 0;     // messages: no data is discarded unread
   constexpr double kDiagnosticsPeriod = 0.2;  // [s] chosen
   constexpr std::uint32_t kClouds = 100;      // messages, for a slow viewer; chosen
   cloud_ = private_node.advertise<sensor_msgs::PointCloud2>("cloud", kClouds);
@@ -159,7 +159,7 @@ void TriangulationServices::tell(const FinishCloud::Response& response) const {
             ROSCONSOLE_DEFAULT_NAME, "scan %s: %s", scan_id_.c_str(), line.c_str());
 }
 
-/// The verdict on a cloud that was made; a whole one is published.
+/// Judges a finished cloud, and publishes it if it is whole.
 void TriangulationServices::fill(const CloudBuilder& scan, const FinishCloud::Request& request,
                                  FinishCloud::Response& response) {
   last_ = response.statistics;
@@ -181,7 +181,7 @@ bool TriangulationServices::finish(FinishCloud::Request& request, FinishCloud::R
                                   : "no scan is running; call start first";
     return true;
   }
-  finishing_ = true;  // until the end: nobody starts another one
+  finishing_ = true;  // until the end, so that no other call starts
   wait_for(request.profiles, request.timeout.toSec(), lock);
   publish_increment();
   std::unique_ptr<CloudBuilder> scan = std::move(scan_);
@@ -220,7 +220,7 @@ void TriangulationServices::diagnose(diagnostic_updater::DiagnosticStatusWrapper
   status.add("profiles", scan_ ? scan_->profiles() : 0);
   status.add("points", scan_ ? scan_->points().size() : 0);
   status.add("profiles outside of a scan", ignored_);
-  double median = 0, most = 0;  // [mm] of the pair that is worst
+  double median = 0, most = 0;  // [mm] of the worst pair
   for (const scan_cell_msgs::PassOverlap& overlap : last_.overlaps) {
     using scan_cell_common::kMillimetres;
     median = std::max(median, kMillimetres * overlap.median);

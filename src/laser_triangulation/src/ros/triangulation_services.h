@@ -20,11 +20,11 @@
 
 namespace laser_triangulation {
 
-/// The triangulation's topics and services. Profiles are received in their own thread, so that
+/// The triangulation's topics and services. Profiles are received in a separate thread, so that
 /// they arrive while ~finish waits for them.
 class TriangulationServices {
  public:
-  /// @param node its queue serves no topic with data
+  /// @param node its queue serves no data topic
   TriangulationServices(ros::NodeHandle node, ros::NodeHandle private_node,
                         const Parameters& parameters);
 
@@ -42,22 +42,22 @@ class TriangulationServices {
   void fill(const CloudBuilder& scan, const scan_cell_msgs::FinishCloud::Request& request,
             scan_cell_msgs::FinishCloud::Response& response);
   void tell(const scan_cell_msgs::FinishCloud::Response& response) const;
-  void publish_increment();  // call with the mutex held
+  void publish_increment();  // requires the mutex to be held
   void diagnose(diagnostic_updater::DiagnosticStatusWrapper& status);
 
   const Parameters parameters_;
   const scan_cell_common::ScannerModel model_;
-  const std::vector<double> deviations_;  // [m] of a scanned point, by laser
+  const std::vector<double> deviations_;  // [m] standard deviations of a scanned point, by laser
   ros::CallbackQueue data_queue_;
 
   std::mutex mutex_;
   std::condition_variable news_;
-  std::unique_ptr<CloudBuilder> scan_;  // none between scans, and while its passes are compared
+  std::unique_ptr<CloudBuilder> scan_;  // null between scans, and while its passes are compared
   std::string scan_id_;
   std::string failure_;        // why the scan's cloud is incomplete
-  std::size_t published_ = 0;  // points on ~cloud
+  std::size_t published_ = 0;  // points published on ~cloud
   bool finishing_ = false;
-  scan_cell_msgs::CloudStatistics last_;  // of the scan that was finished last
+  scan_cell_msgs::CloudStatistics last_;  // of the last finished scan
   std::uint64_t ignored_ = 0;
 
   ros::Publisher cloud_;

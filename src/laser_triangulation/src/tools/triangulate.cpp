@@ -27,7 +27,7 @@ struct Options {
   scan_cell_common::ParameterOptions typed;
 };
 
-/// @return exit code: refused where the passes disagree
+/// @return exit code: refused if the passes disagree
 int triangulate(const Options& options) {
   using laser_triangulation::CloudBuilder;
   using scan_cell_msgs::BoundProfile;

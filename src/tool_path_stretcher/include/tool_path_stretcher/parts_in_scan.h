@@ -12,22 +12,23 @@ namespace tool_path_stretcher {
 
 /// A thing in a scan that a reference explains.
 struct FoundPart {
-  Points laid;                         //!< [m] the reference's points where they come to lie
-  std::vector<std::size_t> explained;  //!< points of the scan, in rising order
+  Points laid;                         //!< [m] the reference's points in the found pose
+  std::vector<std::size_t> explained;  //!< indices of scan points, ascending
 };
 
-/// What of a scan a reference explains.
+/// The parts of a scan that a reference explains.
 struct PartsInScan {
-  std::vector<FoundPart> parts;  //!< one: that is the part; several: they look alike
-  std::string why_none;          //!< of what comes nearest; empty unless there are none
+  std::vector<FoundPart> parts;  //!< one: the part; several: they look alike
+  std::string why_none;  //!< why the largest thing is not the part; empty if a part was found
 };
 
-/// Looks for the reference's part in a scan of several things, by the registration and the verdicts
-/// of stretch(). Each thing is tried alone, the largest first, and then all of them as one; what
-/// was torn off the part, or was taken for a thing of its own, is found where the reference lies.
+/// Searches a scan of several things for the reference's part, with the registration and the
+/// verdicts of stretch(). Tries each thing alone, largest first; if none fits, all of them
+/// together. Pieces torn off the part, or taken for separate things, are found by where the
+/// reference lies.
 /// @param scan [m] without the floor
-/// @param things points of the scan that belong together, thing by thing
-/// @throw scan_cell_common::UnusableInput if the scan is none
+/// @param things indices of the scan points of each thing
+/// @throw scan_cell_common::UnusableInput if the scan is unusable
 /// @throw scan_cell_common::InvalidParameter if the parameters make no sense
 PartsInScan parts_in_scan(const Surface& reference, const Points& scan,
                           const std::vector<std::vector<std::size_t>>& things,

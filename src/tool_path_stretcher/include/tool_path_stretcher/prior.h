@@ -9,54 +9,54 @@
 
 namespace tool_path_stretcher {
 
-/// What is known of the object's size before the search. The default: nothing.
+/// Prior knowledge of the object's size. By default, none.
 struct ScalePrior {
-  double value = 0;      //!< 0: nothing is known
-  double deviation = 0;  //!< one standard deviation; 0: the scale is exactly that
+  double value = 0;      //!< 0: unknown
+  double deviation = 0;  //!< one standard deviation; 0: the scale is exact
 
   bool is_known() const { return value > 0; }                     //!< whether anything is known
   bool is_fixed() const { return is_known() && deviation == 0; }  //!< whether it is exact
 
-  /// Scales within four deviations; all of them where nothing is known.
+  /// Scales within four deviations; all scales if nothing is known.
   ScaleRange range() const;
 };
 
-/// What is known of the object's pose before the search, and how far off that may be.
+/// Prior knowledge of the object's pose, and its greatest error.
 struct PosePrior {
   Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();  //!< reference to object
-  double angle = M_PI / 6;  //!< [rad] between its rotation and the true one, at most
-  double distance = 0.05;   //!< [m] from where it puts the reference's centroid, at most
+  double angle = M_PI / 6;  //!< [rad] greatest angle between its rotation and the true one
+  double distance = 0.05;   //!< [m] greatest error of where it puts the reference's centroid
 
-  /// Whether a similarity is no farther off.
+  /// Whether a similarity lies within these limits.
   /// @param centroid of the reference [m]
   bool allows(const Similarity& similarity, const Eigen::Vector3d& centroid) const;
 };
 
-/// From where both surfaces were seen: a part that lies on its other side is none.
+/// The directions from which both surfaces were seen. Rules out a part turned over.
 struct ViewPrior {
-  Points of_reference;      //!< unit length, towards the viewers
+  Points of_reference;      //!< unit vectors towards the viewers
   Points of_object;         //!< the same
-  double angle = M_PI / 6;  //!< [rad] between a direction of the one and one of the other, at most
+  double angle = M_PI / 6;  //!< [rad] greatest angle between matching directions
 
-  /// Whether each direction of the reference, turned so, is one of the object.
+  /// Whether each direction of the reference, rotated, matches one of the object's.
   bool allows(const Eigen::Matrix3d& rotation) const;
 };
 
-/// @param numbers x y z [m] and qx qy qz qw
-/// @throw scan_cell_common::InvalidParameter unless they are seven, with a unit quaternion
+/// @param numbers x y z [m], qx qy qz qw
+/// @throw scan_cell_common::InvalidParameter unless there are seven numbers with a unit quaternion
 Eigen::Isometry3d pose_from_numbers(const std::vector<double>& numbers);
 
-/// What is known before the search. It bounds the search, and decides between poses that the
-/// surfaces alone cannot tell apart.
+/// Prior knowledge. It bounds the search, and decides between poses that the surfaces alone cannot
+/// tell apart.
 struct Prior {
   ScalePrior scale;                    //!< of the object
   std::optional<PosePrior> pose = {};  //!< none: any pose
   std::optional<ViewPrior> view = {};  //!< none: from any side
 
-  /// Whether a similarity contradicts nothing of it.
+  /// Whether a similarity is consistent with all of it.
   bool allows(const Similarity& similarity, const Eigen::Vector3d& centroid) const;
 
-  /// The same, with more room: what a search may well start from.
+  /// The same with wider limits: poses from which a search may start.
   Prior widened(double angle, double distance) const;
 };
 

@@ -27,20 +27,20 @@ struct Similarity {
   Eigen::Matrix4d matrix() const;  //!< 4 x 4, homogeneous
 };
 
-/// The rotation nearest to a matrix, in the least squares of its elements (Kabsch 1978).
+/// The rotation nearest to a matrix by least squares over its elements (Kabsch 1978).
 Eigen::Matrix3d nearest_rotation(const Eigen::Matrix3d& matrix);
 
-/// Root mean square distance [m] between where the two put the points.
+/// RMS distance [m] between the points under the two similarities.
 double distance(const Similarity& a, const Similarity& b, const Points& points);
 
-/// Scales that are allowed; all of them by default.
+/// Allowed scales; all by default.
 struct ScaleRange {
-  double least = 0;                                       //!< smallest allowed
-  double most = std::numeric_limits<double>::infinity();  //!< greatest allowed
+  double least = 0;                                       //!< smallest scale
+  double most = std::numeric_limits<double>::infinity();  //!< largest scale
 };
 
-/// Least squares over pairs of points, with the symmetric scale of Horn 1987, which wrong pairs do
-/// not shrink.
+/// Least-squares fit to pairs of points. Uses the symmetric scale of Horn 1987, which wrong pairs
+/// do not shrink.
 Similarity fit_similarity(const Points& from, const Points& to, const ScaleRange& scales = {});
 
 }  // namespace tool_path_stretcher

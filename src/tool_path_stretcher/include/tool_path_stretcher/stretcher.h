@@ -10,20 +10,21 @@
 
 namespace tool_path_stretcher {
 
-/// Called as the work goes on, with the stage and the progress of the whole (0 .. 1). Returns false
-/// to cancel. Called from one thread at a time, not always the same.
+/// Called during the work with the stage and the overall progress (0 .. 1). Returns false to
+/// cancel. Called from one thread at a time, but not always the same one.
 using Progress = std::function<bool(const std::string& stage, double progress)>;
 
-/// Adapts a path on the reference to the object, or refuses with a reason, on all cores that the
-/// process may use. The same input gives the same path, bit for bit, on any number of them.
-/// @throw scan_cell_common::InvalidParameter if the parameters make no sense; all else is a verdict
+/// Adapts a path on the reference to the object, or refuses with a reason. Uses all cores that the
+/// process may use. The same input gives the same path, bit for bit, on any number of cores.
+/// @throw scan_cell_common::InvalidParameter if the parameters make no sense; every other failure
+/// is a verdict
 StretchResult stretch(const Surface& reference, const Surface& object, const ToolPath& path,
                       const StretchParameters& parameters, const Progress& progress = {});
 
-/// The same without a path: where the reference lies on the object, or why it does not explain it.
-/// Poses that explain the object alike are one as far as that goes, as of a part that is its own
-/// image; two things in a scan that it fits are not (AMBIGUOUS).
-/// @return its path and quality are empty
+/// The same without a path: finds where the reference lies on the object, or why it does not
+/// explain it. Poses that explain the object equally well count as one, as for a symmetric part.
+/// Two things in the scan that the reference fits do not (AMBIGUOUS).
+/// @return a result without path and quality
 /// @throw as stretch()
 StretchResult lay(const Surface& reference, const Surface& object,
                   const StretchParameters& parameters, const Progress& progress = {});

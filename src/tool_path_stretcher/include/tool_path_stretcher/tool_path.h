@@ -6,8 +6,8 @@
 
 namespace tool_path_stretcher {
 
-using tool_paths::Segment;         //!< a run of waypoints in contact
-using tool_paths::ToolPath;        //!< what is adapted
+using tool_paths::Segment;         //!< a run of waypoints with the tool in contact
+using tool_paths::ToolPath;        //!< the path to adapt
 using tool_paths::Waypoint;        //!< one pose of the tool
 using tool_paths::waypoint_count;  //!< of all segments
 

@@ -28,7 +28,7 @@ enum class Reason {
   kPositionUncertain = 14,
 };
 
-/// In lower case with underscores, as in reports.
+/// Lower case with underscores, as in reports.
 std::string to_string(Reason reason);
 
 /// A pose that explains the object, and where it would put the path.
@@ -37,24 +37,24 @@ struct PoseCandidate {
   Points waypoints;       //!< [m] in the object's frame, over all segments
 };
 
-/// The message of an accepted path, with more behind it where there is more to say.
+/// The message of an accepted path; details may follow it.
 constexpr char kAdapted[] = "the path was adapted";
 
 /// Accepted, or the reason to refuse.
 struct Verdict {
   Reason reason = Reason::kAccepted;   //!< kAccepted, or why not
-  std::string message;                 //!< kAdapted, or the thing, the value and what would help
+  std::string message;                 //!< kAdapted, or the thing, the value and the cure
   std::vector<std::size_t> waypoints;  //!< concerned, counted over all segments
-  /// Ambiguous: the poses between which nothing decides, best first. Accepted: where others explain
-  /// the object as well and lay the path along the same line, the one taken and those.
+  /// Ambiguous: the poses that nothing tells apart, best first. Accepted: the pose taken and the
+  /// others that explain the object as well and lay the path along the same line, if any.
   std::vector<PoseCandidate> candidates = {};
 
   bool accepted() const { return reason == Reason::kAccepted; }  //!< whether there is a path
 };
 
-/// Ends the stretching with a verdict; stretch() catches it.
+/// Thrown to end the work with a verdict; stretch() catches it.
 struct Refusal {
-  Verdict verdict;  //!< with the reason
+  Verdict verdict;  //!< the refusal and its reason
 };
 
 }  // namespace tool_path_stretcher

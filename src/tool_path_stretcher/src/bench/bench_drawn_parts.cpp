@@ -16,7 +16,7 @@ using bench::seconds_of;
 
 struct Draws {
   unsigned count = 20;  // of each kind
-  unsigned first = 0;   // number of the first
+  unsigned first = 0;   // number of the first one
   std::string kind;     // a word in the kind's name; empty: all
   bool other_shapes = false;
 };
@@ -65,7 +65,7 @@ void add(const cases::DrawnPart& part, unsigned seed, Counts& counts) {
   std::fflush(stdout);
 }
 
-/// Prints the verdicts on parts drawn at random, kind by kind, and each that is wrong.
+/// Prints the verdicts on random parts, kind by kind, and each wrong one.
 void print_draws(const Draws& draws) {
   const cases::Shapes shapes = draws.other_shapes ? cases::Shapes::kOthers : cases::Shapes::kKnown;
   std::printf("\n### Parts drawn at random\n\n");

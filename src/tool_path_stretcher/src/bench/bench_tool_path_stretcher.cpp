@@ -26,7 +26,7 @@ std::vector<cases::Case> cases_named(const std::string& word, const std::string&
   return all;
 }
 
-/// As the stretch command reads it.
+/// Writes the case as input of the stretch command.
 void write(const cases::Case& each, const std::filesystem::path& folder) {
   const cases::Scene scene = cases::scene_of(each);
   std::filesystem::create_directories(folder);

@@ -16,7 +16,7 @@ namespace {
 
 using namespace tool_path_stretcher;
 
-constexpr double kGross = 0.005;  // [m] a path so far off somewhere is wrong
+constexpr double kGross = 0.005;  // [m] a path with a larger error anywhere is wrong
 
 double middle_of(std::vector<double> values) {
   std::sort(values.begin(), values.end());
@@ -31,14 +31,14 @@ bool must_be_accepted(const cases::Case& each) {
   return each.expected == Reason::kAccepted;
 }
 
-/// How the suite fared.
+/// The suite's results.
 struct Ours {
   std::size_t right = 0;
   std::size_t wrong_accepted = 0;
   std::size_t gross = 0;
   std::size_t accepted = 0;
   std::size_t within_goals = 0;
-  std::size_t within_goals_where_shown = 0;  // the tangential error only where it is said to be
+  std::size_t within_goals_where_shown = 0;  // the tangential error only where reported as shown
   std::size_t waypoints = 0;
   std::size_t normal_as_expected = 0;
   std::size_t along_as_expected = 0;
@@ -48,11 +48,11 @@ struct Ours {
   std::vector<double> seconds_processor;  // of all
 };
 
-/// How a yardstick fared.
+/// A yardstick's results.
 struct Theirs {
-  std::size_t within = 0;          // of the cases to be accepted: converged, and nowhere gross
-  std::size_t gross_accepted = 0;  // of those: converged, but gross somewhere
-  std::size_t wrong_accepted = 0;  // of the cases to be refused: converged
+  std::size_t within = 0;          // of cases to be accepted: converged, with no gross error
+  std::size_t gross_accepted = 0;  // of those: converged, with a gross error
+  std::size_t wrong_accepted = 0;  // of cases to be refused: converged
   std::vector<double> seconds;
 };
 
@@ -68,7 +68,7 @@ bool within_goals(const cases::PathError& error) {
   return error.normal <= 1e-4 && error.tangential <= 5e-4 && error.orientation <= M_PI / 180;
 }
 
-/// Waypoints whose errors lie within three times what the suite says to expect.
+/// Waypoints whose errors are within three times the expected ones.
 struct AsExpected {
   std::size_t normal = 0;
   std::size_t along = 0;
@@ -139,7 +139,7 @@ void run_ours(const cases::Case& each, const cases::Scene& scene, Ours& sums) {
               percent(expected.normal, count), percent(expected.along, count), sums.seconds.back());
 }
 
-/// @param converged what the yardstick says of itself; the thesis' method says nothing
+/// @param converged as reported by the yardstick; the thesis' method reports nothing
 void run_theirs(const cases::Case& each, const cases::Scene& scene, const ToolPath& path,
                 bool converged, Theirs& sums) {
   if (!must_be_accepted(each)) {

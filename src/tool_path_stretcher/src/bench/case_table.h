@@ -9,9 +9,9 @@
 
 namespace bench {
 
-/// Runs each case by the suite, by the thesis' general method and by PCL's own tools, and prints a
-/// table in Markdown, a line a case, and what they came to.
-/// @param yardsticks whether the two others run as well
+/// Runs each case with the suite, the thesis' general method and PCL's own tools, and prints a
+/// Markdown table with one line per case, and the totals.
+/// @param yardsticks whether to run the two others as well
 void print_case_table(const std::vector<cases::Case>& all, bool yardsticks);
 
 }  // namespace bench

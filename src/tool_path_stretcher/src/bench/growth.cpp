@@ -21,7 +21,7 @@ namespace {
 namespace fs = std::filesystem;
 using namespace tool_path_stretcher;
 
-/// The most memory that this process has held [GiB]; what its parent held before is not counted.
+/// Peak memory of this process [GiB], without what its parent held before.
 double peak_of_memory() {
   std::ifstream status("/proc/self/status");
   std::string line;
@@ -32,8 +32,8 @@ double peak_of_memory() {
   throw std::runtime_error("/proc/self/status does not say VmHWM");
 }
 
-/// [s] that each stage took. A stage is reported while it goes on and when it ends; `adapt` when it
-/// begins, and `done` when it has ended.
+/// [s] duration of each stage. A stage is reported while it runs and when it ends; `adapt` is
+/// reported when it begins, and `done` when it has ended.
 struct StageTimes {
   double align = 0;
   double refine = 0;
@@ -54,7 +54,7 @@ struct StageTimes {
   }
 };
 
-/// What run_growth() prints in a process of its own: this program again.
+/// The output of run_growth() in a separate process of this program.
 std::string run_in_child(std::size_t points, bool reduced) {
   const std::string command = "'" + fs::read_symlink("/proc/self/exe").string() + "' --growth-of " +
                               std::to_string(points) + (reduced ? " --reduced" : "");

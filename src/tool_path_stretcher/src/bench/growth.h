@@ -6,13 +6,12 @@
 
 namespace bench {
 
-/// Prints how time and memory grow from 20,000 to 1,000,000 points a cloud. Each size runs in a
-/// process of its own, so that its peak of memory is its own: this program again, which then calls
-/// run_growth().
+/// Prints how time and memory grow from 20,000 to 1,000,000 points per cloud. Each size runs in a
+/// separate process of this program, which calls run_growth(), so that its peak memory is its own.
 void print_growth();
 
-/// One size, in this process: prints what it came to.
-/// @param reduced on the default grid; otherwise next to nothing is
+/// Runs one size in this process and prints the result.
+/// @param reduced on the default grid; otherwise hardly at all
 void run_growth(std::size_t points, bool reduced);
 
 }  // namespace bench

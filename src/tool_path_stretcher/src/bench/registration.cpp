@@ -22,7 +22,7 @@ using namespace tool_path_stretcher;
 
 using scan_cell_common::kDegree;
 
-/// The best pose of a search over all of them; none where nothing fits.
+/// The best pose of a search over all poses; none if nothing fits.
 std::optional<Similarity> searched(const Surface& reference, const Surface& object,
                                    const Prior& prior) {
   const auto candidates = find_candidates({reference, object}, prior, [](double) {});
@@ -58,7 +58,7 @@ void print_head(const char* what) {
 }
 
 void print_car(const std::string& data) {
-  constexpr double kLeaf = 0.02;  // [m] on a cloud of some metres
+  constexpr double kLeaf = 0.02;  // [m] for a cloud of several metres
   const cases::Pair car = cases::car_pair(data);
   print_head("Car");
   print_line("truth, from the rows", car.truth, car.truth, 0);
@@ -80,7 +80,7 @@ void print_car(const std::string& data) {
   std::printf("\n(here: and %.2f s for both surfaces)\n", surfaces);
 }
 
-/// The points around the one that has most neighbours: what cropping by hand would leave.
+/// The points around the one with the most neighbours, as cropping by hand would leave them.
 Points cropped(const Points& points, double radius) {
   const KdTree tree(points);
   std::vector<KdTree::Neighbour> near, most;
@@ -95,7 +95,7 @@ Points cropped(const Points& points, double radius) {
 }
 
 void print_bunny_problem(const cases::Pair& bunny) {
-  constexpr double kLeaf = 1e-5;  // [m] nothing is reduced
+  constexpr double kLeaf = 1e-5;  // [m] reduces nothing
   const Eigen::Vector3d leaf = Eigen::Vector3d::Constant(kLeaf);
   const Surface reference = surface_from_cloud(bunny.reference, leaf, "reference");
   const Surface object = surface_from_cloud(bunny.object, leaf, "object");

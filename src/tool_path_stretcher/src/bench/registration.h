@@ -6,9 +6,9 @@
 
 namespace bench {
 
-/// Prints how the suite's similarity fares on public registration problems, beside what their
-/// publishers give and PCL finds.
-/// @param data folder with registration/car and registration/bunny; empty: says that it has none
+/// Prints how the suite's similarity performs on public registration problems, next to the
+/// publishers' results and PCL's.
+/// @param data folder with registration/car and registration/bunny; empty: prints that it has none
 void print_registration(const std::string& data);
 
 }  // namespace bench

@@ -7,17 +7,17 @@
 
 namespace bench {
 
-/// [s] of a clock on the wall, which stands for nothing but differences
+/// [s] wall-clock time; only differences have a meaning
 inline double wall_seconds() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
-/// [s] of all processors that this program has taken
+/// [s] processor time of this program, over all processors
 inline double processor_seconds() {
   return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
 }
 
-/// [s] that some work takes, until a user has its result: nothing else should run meanwhile
+/// [s] wall-clock time of some work; nothing else should run meanwhile
 template <class Work>
 double seconds_of(Work work) {
   const double start = wall_seconds();

@@ -64,7 +64,7 @@ std::string accepted_message(const Fitted& fitted, bool partial_reference, bool 
   return message;
 }
 
-/// What an accepted path is not founded on the scan with; empty where that is nothing.
+/// The part of an accepted path that is not based on the scan; empty if there is none.
 std::string in_air_message(const std::vector<WaypointQuality>& quality) {
   const auto in_air = std::count_if(quality.begin(), quality.end(),
                                     [](const WaypointQuality& each) { return each.in_air; });
@@ -73,14 +73,14 @@ std::string in_air_message(const std::vector<WaypointQuality>& quality) {
                      quality.size());
 }
 
-/// Whether the part is bent, or what is not explained of it may be so because it is.
+/// Whether the part is bent, or a bend may be why some of it is not explained.
 bool may_be_bent(const Fitted& fitted) {
   constexpr double kAll = 0.98;  // of the object's points; chosen
   if (explains_all(fitted.explanation)) return false;
   return !fitted.mapping.graph.empty() || fitted.explanation.inlier_ratio < kAll;
 }
 
-/// Of those that are clearly better than `best` the one that most speaks for; none: null.
+/// Of those clearly better than `best`, the one with the most evidence; null if there is none.
 const Fitted* clearly_best(const std::vector<Fitted>& others, const Fitted& best) {
   const Fitted* found = nullptr;
   double most = 0;

@@ -17,17 +17,18 @@
 namespace tool_path_stretcher {
 namespace {
 
-/// Of what could be seen of the reference, that must be shown to be sure of its part: of a closed
-/// one of what faces the viewer; of a scan, whose walls another view may miss, of all; chosen.
+/// Share of the visible reference that must be shown to be sure of its part. For a closed
+/// reference: of what faces the viewer. For a scan: of all of it, since another view may miss its
+/// walls. Chosen.
 double sure_share(const Surface& reference) {
   return reference.closed ? 0.7 : 0.5;
 }
 
-/// Where the reference lies in the scan.
+/// A pose of the reference in the scan.
 struct Lying {
   Similarity similarity;
-  Points mapped;  // [m] what the scan can show of it, deformed as it is
-  Piece thing;    // of the scan, that it was laid on
+  Points mapped;  // [m] what the scan can show of it, with its deformation
+  Piece thing;    // of the scan, on which it was laid
 };
 
 /// The search of one reference in one scan.
@@ -73,10 +74,10 @@ class PartSearch {
   }
 
  private:
-  /// Whether it is a part of what was found, or too small to be another such part.
+  /// Whether the thing belongs to a found part, or is too small to be another such part.
   bool is_known(const Piece& thing) const {
     constexpr double kOf = 0.5;     // of its points that are explained; chosen
-    constexpr double kAlike = 0.2;  // of the points of what was found: no third of it; chosen
+    constexpr double kAlike = 0.2;  // of the found thing's points; chosen
     return std::any_of(found_.begin(), found_.end(), [&](const Lying& lying) {
       if (static_cast<double>(thing.size()) < kAlike * static_cast<double>(lying.thing.size()))
         return true;
@@ -87,12 +88,12 @@ class PartSearch {
     });
   }
 
-  /// The share of what could be seen of the reference that a thing shows. Of a closed one, what
-  /// faces the viewer at a grazing angle is left out: no scanner need see it.
+  /// The share of the visible reference that a thing shows. For a closed reference, faces at a
+  /// grazing angle are left out: no scanner need see them.
   double shown_of(const StretchResult& result, const Piece& thing) const {
     if (!reference_.closed) return result.overlap;
     constexpr double kFacing = 0.5;  // cosine, 60 degrees; chosen
-    constexpr double kBent = 0.02;   // of the size, from where the similarity alone has it; chosen
+    constexpr double kBent = 0.02;   // of the size: deviation from the similarity; chosen
     const KdTree points(select(scan_, thing));
     const double bent = result.deformation_nodes > 0 ? kBent * reference_.size : 0;
     const double reach =
@@ -145,7 +146,7 @@ class PartSearch {
     if (std::none_of(others.begin(), others.end(), is_there)) others.push_back(std::move(lying));
   }
 
-  /// Whether it may be another part of the kind of one that was found, seen less of.
+  /// Whether it may be another part of the same kind as a found one, of which less is seen.
   bool is_rival(const Lying& lying) const {
     constexpr double kSize = 1.1;  // times the size, the same kind; chosen
     const auto is_like = [&](const Lying& other) {
@@ -155,7 +156,8 @@ class PartSearch {
     return std::any_of(found_.begin(), found_.end(), is_like);
   }
 
-  /// What was torn off a deformed part is explained better once it takes part.
+  /// Repeats the registration with pieces torn off a deformed part, which are then explained
+  /// better.
   void add_what_was_torn_off(FoundPart& part) const {
     constexpr double kMore = 0.02;  // of the thing's points; chosen
     const Lying& lying = found_.front();
@@ -183,7 +185,7 @@ class PartSearch {
     return part;
   }
 
-  /// Also those sides of it that the scan was not thought to show.
+  /// Includes the sides that the scan was not expected to show.
   Laid laid_at(const Lying& lying) const {
     return {lying.mapped, parameters_.inlier_distance, all_at(lying.similarity)};
   }
@@ -201,7 +203,7 @@ class PartSearch {
   const Surface surface_;         // of the scan
   const Eigen::Vector3d middle_;  // of the reference [m]
   std::vector<Lying> found_;
-  std::vector<Lying> unsure_;  // a flat thing lies on any flat face, as a scan of some of it would
+  std::vector<Lying> unsure_;  // a flat thing fits any flat face, like a partial scan
   std::string why_none_ = "there is too little of it";  // of the largest thing
   std::size_t most_points_ = 0;
 };

@@ -12,7 +12,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// JSON knows no NaN: null is what is not known.
+/// JSON has no NaN: null means unknown.
 Json number(double value) {
   return std::isfinite(value) ? Json(value) : Json(nullptr);
 }
@@ -75,7 +75,7 @@ Json to_json(const std::optional<FileRecord>& file) {
   return {{"name", file->name}, {"sha256", file->sha256}, {"units", file->units}};
 }
 
-/// What to look at first.
+/// Adds what to look at first.
 void add_head(const StretchResult& result, Json& report) {
   const QualitySummary summary = summary_of(result.quality);
   const bool known = !result.quality.empty();
@@ -103,7 +103,7 @@ void add_record(const StretchResult& result, const RunRecord& record, Json& repo
                           {"writing", number(record.seconds_writing)}};
 }
 
-/// @param known false: it did not come to that
+/// @param known false: the run did not get that far
 template <class Value>
 Json if_known(bool known, const Value& value) {
   return known ? Json(value) : Json(nullptr);

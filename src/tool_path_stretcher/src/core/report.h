@@ -11,11 +11,10 @@
 
 namespace tool_path_stretcher {
 
-/// What belongs to a run besides its result.
+/// Data of a run besides its result.
 struct RunRecord {
-  std::optional<tool_paths::PathContents>
-      path;  //!< as it was understood; none: it could not be read
-  std::optional<FileRecord> reference, object, path_file, output;  //!< none: not from files
+  std::optional<tool_paths::PathContents> path;  //!< as understood; none: it could not be read
+  std::optional<FileRecord> reference, object, path_file, output;  //!< none: no files
   double seconds_reading = 0;
   double seconds_writing = 0;  //!< the adapted path
 };
@@ -23,8 +22,8 @@ struct RunRecord {
 /// [s] reading, adapting and writing.
 double total_seconds(const StretchResult& result, const RunRecord& record);
 
-/// How an adapted path is founded on the scan: how many of its waypoints are what, and the largest
-/// figures of those that are not in the air. NaN: not known.
+/// Summary of how the scan supports an adapted path: waypoint counts, and the largest figures of
+/// the waypoints not in the air. NaN: unknown.
 struct QualitySummary {
   std::size_t measured = 0;
   std::size_t inferred = 0;
@@ -37,13 +36,13 @@ struct QualitySummary {
 
 QualitySummary summary_of(const std::vector<WaypointQuality>& quality);
 
-/// In a line for a person.
+/// One line for a person.
 std::string to_string(const QualitySummary& summary);
 
-/// The report of docs/tool_path_stretcher.md as JSON text, in SI units.
+/// The report described in docs/tool_path_stretcher.md, as JSON text in SI units.
 std::string report_to_json(const StretchResult& result, const RunRecord& record = {});
 
-/// Writes it, whole or not at all.
+/// Writes the report, whole or not at all.
 /// @throw scan_cell_common::FileError if it cannot be written
 void save_report(const std::string& path, const StretchResult& result,
                  const RunRecord& record = {});

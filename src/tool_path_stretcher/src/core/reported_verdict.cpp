@@ -38,7 +38,7 @@ std::size_t count_of(const json& count) {
   return count.is_null() ? 0 : count.get<std::size_t>();
 }
 
-/// NaN where it is not known.
+/// NaN if unknown.
 double figure_of(const json& quality, const char* name) {
   const auto figure = quality.find(name);
   return figure == quality.end() || figure->is_null() ? kUnknown : figure->get<double>();

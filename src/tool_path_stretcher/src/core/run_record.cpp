@@ -15,7 +15,7 @@ std::string millimetres(double metres) {
   return std::isfinite(metres) ? fmt::format("{:.3g} mm", 1e3 * metres) : "unknown";
 }
 
-/// Nothing for a path without orientations.
+/// Empty for a path without orientations.
 std::string and_degrees(double radians) {
   using scan_cell_common::kDegree;
   return std::isfinite(radians) ? fmt::format(", {:.2g} deg in orientation", radians / kDegree)

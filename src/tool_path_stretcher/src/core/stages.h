@@ -15,10 +15,10 @@
 
 namespace tool_path_stretcher {
 
-/// Tells the caller how far the work is, and ends it where the caller wants that.
+/// Reports progress to the caller, and ends the work if the caller asks for it.
 class Stages {
  public:
-  /// @param from,to share of the whole work
+  /// @param from,to shares of the whole work
   explicit Stages(const Progress& progress, double from = 0, double to = 1)
       : progress_(progress), from_(from), to_(to) {}
 
@@ -37,10 +37,10 @@ class Stages {
   double from_, to_;
 };
 
-/// Tells how many of the equal parts of a stage are done, from any thread but one at a time.
+/// Reports how many of a stage's equal parts are done, from any thread but one at a time.
 class Parts {
  public:
-  /// @param from,to shares of the whole work, at its begin and end
+  /// @param from,to shares of the whole work at the stage's begin and end
   Parts(const Stages& stages, std::string stage, double from, double to, std::size_t count)
       : progress_(stages.within(std::move(stage), from, to)), count_(count) {}
 

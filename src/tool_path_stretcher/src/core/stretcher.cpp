@@ -26,7 +26,7 @@ StretchResult begun(const Surface& reference, const Surface& object,
   return result;
 }
 
-/// With all of the reference; with what can be seen of it where the prior has a view.
+/// Adapts with the whole reference, or with its visible part if the prior has a view.
 Attempt attempt(const SurfacePair& surfaces, const ToolPath& path,
                 const StretchParameters& parameters, const Stages& stages) {
   const bool is_whole = !parameters.prior.view;
@@ -46,7 +46,7 @@ Attempt attempt(const SurfacePair& surfaces, const ToolPath& path,
   return attempt;
 }
 
-/// No scan sees all of a closed reference, and both faces of a sheet of it would do for one.
+/// No scan sees all of a closed reference, and either face of a sheet would match the scan.
 StretchResult stretch_closed(const SurfacePair& surfaces, const ToolPath& path,
                              const StretchParameters& parameters, const Progress& progress) {
   constexpr double kFirst = 0.3;  // of the work; a guess for the bar
@@ -93,7 +93,7 @@ StretchResult stretch_in_scene(const SurfacePair& surfaces, const ToolPath& path
   return stretch_in_own_place(surfaces.object, path, result, parameters, onto);
 }
 
-/// @throw nothing: the verdict says what is wrong with it
+/// Does not throw: the verdict tells what is wrong with the path.
 StretchResult without_a_path(const ToolPath& path, StretchResult result) {
   try {
     check(path);

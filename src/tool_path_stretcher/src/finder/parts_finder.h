@@ -10,7 +10,7 @@
 
 namespace tool_path_stretcher {
 
-/// Lets cloud_preprocess find the part of a reference in a scan, by the stretcher's registration.
+/// Lets cloud_preprocess find a reference's part in a scan with the stretcher's registration.
 class PartsFinder final : public cloud_preprocess::ReferenceFinder {
  public:
   void load(const std::string& file, double metres_per_unit) override;
@@ -20,7 +20,7 @@ class PartsFinder final : public cloud_preprocess::ReferenceFinder {
       const std::vector<std::vector<std::uint32_t>>& objects) const override;
 
  private:
-  StretchParameters parameters_;  // as they are
+  StretchParameters parameters_;  // defaults
   std::optional<Surface> reference_;
 };
 

@@ -95,7 +95,7 @@ void Canvas::save(const std::string& path) const {
   try {
     written = cv::imwrite(path, reduced, {cv::IMWRITE_PNG_COMPRESSION, 9});
   } catch (const cv::Exception&) {
-    written = false;  // an ending that OpenCV does not know
+    written = false;  // an extension that OpenCV does not know
   }
   if (!written) {
     throw scan_cell_common::FileError(path, "cannot be written",

@@ -8,21 +8,21 @@
 
 namespace tool_path_stretcher {
 
-/// Where points are looked at from. Points come to lie on the picture's axes: right, up, and
+/// The direction from which points are viewed. Maps points to the picture's axes: right, up, and
 /// towards the eye.
 struct View {
   Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();  //!< rows: right, up, towards the eye
 
-  /// From the side `azimuth` about z and `elevation` above the x-y plane [rad].
+  /// A view from `azimuth` about z and `elevation` above the x-y plane [rad].
   static View from(double azimuth, double elevation);
 };
 
-/// A picture in parallel projection, whose nearer dots hide the farther ones.
+/// A picture in parallel projection; nearer dots hide farther ones.
 class Canvas {
  public:
   Canvas(int width, int height);
 
-  /// What is drawn fits between the margins [pixels]; of `low` and `high` as seen.
+  /// Fits the drawing, which spans `low` to `high` as seen, between the margins [pixels].
   void fit(const Eigen::Vector3d& low, const Eigen::Vector3d& high, int top_margin, int margin);
 
   double pixels_per_metre() const { return scale_; }
@@ -30,10 +30,10 @@ class Canvas {
   /// A round dot at a place as seen; `lift` [m] brings it nearer to the eye.
   void dot(const Eigen::Vector3d& at, double radius, const cv::Vec3b& colour, double lift = 0);
 
-  /// A line over all else, as thin as can be.
+  /// The thinnest line, drawn over everything else.
   void line(const Eigen::Vector3d& from, const Eigen::Vector3d& to, const cv::Vec3b& colour);
 
-  /// At a place of the picture [pixels] from its upper left corner.
+  /// Writes text at a position [pixels] from the picture's upper left corner.
   void text(const std::string& words, int x, int y, double height, const cv::Vec3b& colour);
   void bar(int x, int y, int width, int height, const cv::Vec3b& colour);
 
@@ -44,7 +44,7 @@ class Canvas {
   void save(const std::string& path) const;
 
  private:
-  static constexpr int kFiner = 2;  // drawn larger, then reduced: smooth edges
+  static constexpr int kFiner = 2;  // drawn larger, then reduced, for smooth edges
 
   Eigen::Vector2d place_of(const Eigen::Vector3d& at) const;
 
@@ -54,8 +54,7 @@ class Canvas {
   Eigen::Vector2d origin_ = Eigen::Vector2d::Zero();
 };
 
-/// Blue, green, red, as OpenCV keeps them, of a colour for a value of 0 .. 1: from dark blue to
-/// yellow.
+/// Colour for a value of 0 .. 1, from dark blue to yellow, in OpenCV's order blue, green, red.
 cv::Vec3b heat(double value);
 
 }  // namespace tool_path_stretcher

@@ -19,7 +19,7 @@ namespace {
 
 constexpr int kWidth = 1000;
 constexpr int kHeight = 520;
-constexpr int kTop = 84;  // of it for the words
+constexpr int kTop = 84;  // of it, for text
 
 // Blue, green, red.
 const cv::Vec3b kBlack(20, 20, 20);
@@ -36,8 +36,8 @@ cv::Vec3b darker(const cv::Vec3b& colour, double share) {
           cv::saturate_cast<uchar>(share * colour[2])};
 }
 
-/// [m] of the object's points from the reference as the similarity lays it: at each point the
-/// middle one of its neighbours', so that shapes are seen and not the noise.
+/// [m] distances of the object's points from the aligned reference. Each is the median over the
+/// point's neighbours, so that the picture shows shapes and not noise.
 std::vector<double> deviations_of(const Surface& reference, const Surface& object,
                                   const Similarity& similarity) {
   constexpr std::size_t kNeighbours = 30;
@@ -59,7 +59,8 @@ std::vector<double> deviations_of(const Surface& reference, const Surface& objec
   return deviations;
 }
 
-/// [m] shown in the brightest colour: all but 2 % are below, and noise alone is never bright.
+/// [m] value shown in the brightest colour: all but 2 % are below it, and noise alone is never
+/// bright.
 double brightest_of(std::vector<double> deviations) {
   constexpr double kShare = 0.98;
   constexpr double kLeast = 0.0005;
@@ -69,8 +70,8 @@ double brightest_of(std::vector<double> deviations) {
   return std::max(*at, kLeast);
 }
 
-/// Turns and shifts of all that is shown, as seen: the object to the right of the reference, or the
-/// reference laid over it by the similarity.
+/// Rotations and shifts of everything shown, as seen: the object to the right of the reference, or
+/// the reference laid over it by the similarity.
 struct Layout {
   Eigen::Matrix3d reference_turn;
   Eigen::Matrix3d object_turn;
@@ -84,7 +85,7 @@ struct Layout {
   Eigen::Vector3d of_object(const Eigen::Vector3d& at) const { return object_turn * at + shift; }
 };
 
-/// The box around all but a few points, which may be far away.
+/// The box around all points but a few, which may be far away.
 Eigen::AlignedBox3d box_of(const Points& points, const Eigen::Matrix3d& turn) {
   constexpr double kShare = 0.002;
   Eigen::AlignedBox3d box(Eigen::Vector3d::Zero().eval());
@@ -159,7 +160,7 @@ Points seen(Points points, const Place& place) {
   return points;
 }
 
-/// From waypoint to waypoint, so close that it is a line.
+/// Interpolates between waypoints so densely that the points form a line.
 Points drawn_out(const ToolPath& path, double step) {
   Points points;
   for (const Segment& segment : path.segments) {
@@ -184,7 +185,7 @@ void draw_path(Canvas& canvas, const ToolPath& path, const Place& place, const c
     canvas.dot(at, kRadius, colour, lift);
 }
 
-/// Blue in the air; over that red, what the verdict names.
+/// Waypoints in the air in blue; over them, in red, those that the verdict names.
 void draw_marked(Canvas& canvas, const ReportedVerdict& verdict, const Points& points) {
   constexpr double kRadius = 2.6;
   constexpr double kOverAll = 1e3, kOverBlue = 1.001e3;
@@ -199,14 +200,14 @@ void draw_marked(Canvas& canvas, const ReportedVerdict& verdict, const Points& p
 }
 
 void draw_paths(Canvas& canvas, const PictureInput& input, const Layout& layout) {
-  constexpr double kLift = 0.03;  // of the size: paths lie on the surface, not half in it
+  constexpr double kLift = 0.03;  // of the size: shows paths on the surface, not half in it
   constexpr std::size_t kLines = 24;
   const double lift = kLift * input.reference.size;
   const Place left = [&](const Eigen::Vector3d& at) { return layout.of_reference(at); };
   const Points start = seen(positions_of(input.path), left);
   draw_path(canvas, input.path, left, kWhite, lift);
   draw_marked(canvas, input.verdict, start);
-  std::vector<Place> places;  // of the path as the similarities put it on the object
+  std::vector<Place> places;  // of the path on the object, by the similarities
   for (const Similarity& similarity : input.verdict.similarities) {
     places.push_back([&](const Eigen::Vector3d& at) { return layout.of_object(similarity * at); });
   }
@@ -224,7 +225,7 @@ void draw_paths(Canvas& canvas, const PictureInput& input, const Layout& layout)
   draw_marked(canvas, input.verdict, end);
 }
 
-/// @param adapted whether the adapted path is shown
+/// @param adapted whether the adapted path is drawn
 void draw_words(Canvas& canvas, const ReportedVerdict& verdict, bool adapted) {
   constexpr std::size_t kLongest = 105;
   const std::string accepted =

@@ -37,8 +37,8 @@ void check_waypoints(const ToolPath& path, std::size_t reported, const std::stri
   throw UnusableInput(role, fmt::format("{} waypoints, {} in the report", count, reported), kCure);
 }
 
-/// The report says how far each waypoint is from where the similarity puts it, but for a stand-off
-/// that was kept: no more than what the waypoint stands off the reference.
+/// The report tells how far each waypoint is from where the similarity puts it. A kept stand-off
+/// may add to this, by no more than the waypoint's distance from the reference.
 void check_displacements(const PictureInput& input) {
   constexpr double kRounding = 1e-6;  // [m]
   const Points from = positions_of(input.path);

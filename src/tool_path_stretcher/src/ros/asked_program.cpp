@@ -19,7 +19,7 @@ namespace {
 constexpr const char* kPath = "adapted.csv";
 constexpr const char* kReport = "report.json";
 
-/// --waypoint-z of waypoint_z=into_part, and into_part
+/// Turns waypoint_z=into_part into --waypoint-z and into_part.
 std::vector<std::string> words_of(const std::vector<std::string>& options) {
   std::vector<std::string> words;
   for (const std::string& option : options) {
@@ -44,7 +44,7 @@ AskedProgram::AskedProgram(const scan_cell_msgs::StretchToolPathGoal& goal)
     throw scan_cell_common::UnusableInput("robot_program", "'" + name_ + "'",
                                           "give a file's name without a folder");
   std::vector<std::string> words = words_of(goal.robot_program_options);
-  std::reverse(words.begin(), words.end());  // as CLI11 takes them
+  std::reverse(words.begin(), words.end());  // in the order CLI11 expects
   CLI::App app;
   options_.add(app);
   try {
@@ -65,7 +65,7 @@ std::optional<FileRecord> AskedProgram::save(const ToolPath& adapted,
     record.name = kPath;
     return record;
   } catch (const scan_cell_common::Error&) {
-    return std::nullopt;  // write() does not find it
+    return std::nullopt;  // write() will not find it
   }
 }
 

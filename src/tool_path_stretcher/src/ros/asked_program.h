@@ -13,8 +13,8 @@
 
 namespace tool_path_stretcher {
 
-/// The program in the robot's language that a goal asks for beside the adapted path. It is made as
-/// export_path makes it, from the path and its report as files, and read back.
+/// The program in the robot's language that a goal requests in addition to the adapted path. It is
+/// made as by export_path, from the path and report files, and read back.
 class AskedProgram {
  public:
   /// @throw scan_cell_common::UnusableInput naming the file or the option that makes no sense
@@ -22,16 +22,16 @@ class AskedProgram {
 
   bool wanted() const { return !name_.empty(); }
 
-  /// Saves the accepted path, so that the report can say of which file it speaks.
+  /// Saves the accepted path, so that the report can name the file it is about.
   /// @return none if it cannot be saved; write() will say so
   std::optional<FileRecord> save(const ToolPath& adapted, const std::string& units) const;
 
-  /// Writes the program of the saved path into the result, or why there is none.
-  /// @param result with its report
+  /// Puts the program of the saved path into the result, or why there is none.
+  /// @param result the result, with its report
   void write(scan_cell_msgs::StretchToolPathResult& result) const;
 
  private:
-  std::string name_;  // of its main file; empty: none
+  std::string name_;  // of the program's main file; empty: none
   tool_path_programs::ExportOptions options_;
   std::optional<scan_cell_common::TemporaryFolder> folder_;
 };

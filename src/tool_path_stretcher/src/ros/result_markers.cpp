@@ -31,7 +31,7 @@ Marker marker(const std_msgs::Header& header, const std::string& name, int type,
   return result;
 }
 
-/// To be shown, or to be taken away where it shows nothing.
+/// Marks the marker to be added, or deleted if it is empty.
 Marker finished(Marker marker) {
   marker.action = marker.points.empty() ? Marker::DELETE : Marker::ADD;
   return marker;

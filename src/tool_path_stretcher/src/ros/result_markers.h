@@ -10,15 +10,14 @@
 
 namespace tool_path_stretcher {
 
-/// Green at 0, yellow at 0.5 mm, red from 1 mm on; grey where the error [m] is not known.
+/// Green at 0, yellow at 0.5 mm, red from 1 mm; grey if the error [m] is unknown.
 std_msgs::ColorRGBA colour_of_error(double expected_error);
 
-/// What a result is in rviz: `correspondences`, green lines between corresponding waypoints;
-/// `waypoints`, the adapted ones in the colour of their expected error, normal and tangential
-/// together; `refused`, red balls at the waypoints that the verdict is about, on the adapted path
-/// or, where there is none, as the similarity lays the reference's. What there is none of is
-/// deleted.
-/// @param path as the goal gave it
+/// A result as markers for rviz. `correspondences`: green lines between corresponding waypoints.
+/// `waypoints`: the adapted ones, coloured by expected error, normal and tangential combined.
+/// `refused`: red balls at the waypoints that the verdict is about, on the adapted path or, if
+/// there is none, on the reference's as the similarity lays it. Empty markers are deleted.
+/// @param path the goal's path
 /// @param header of the object's cloud
 visualization_msgs::MarkerArray result_markers(const StretchResult& result, const ToolPath& path,
                                                const std_msgs::Header& header);

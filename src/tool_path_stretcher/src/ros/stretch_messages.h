@@ -9,8 +9,8 @@
 
 namespace tool_path_stretcher {
 
-/// The node's parameters with what the goal gives.
-/// @throw scan_cell_common::InvalidParameter naming what makes no sense
+/// The node's parameters, overridden by those in the goal.
+/// @throw scan_cell_common::InvalidParameter naming the value that makes no sense
 StretchParameters with_goal(const StretchParameters& parameters,
                             const scan_cell_msgs::StretchToolPathGoal& goal);
 

@@ -11,7 +11,7 @@
 
 namespace tool_path_stretcher {
 
-/// The action ~stretch and what rviz shows of it.
+/// The action ~stretch and its topics for rviz.
 class StretchServer {
  public:
   /// @throw scan_cell_common::InvalidParameter

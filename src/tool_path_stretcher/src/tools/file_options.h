@@ -12,7 +12,7 @@ class App;
 
 namespace tool_path_stretcher {
 
-/// Options about what the files do not say of themselves.
+/// Options for what the files do not tell.
 struct FileOptions {
   std::string units;  //!< of all files; empty: metres
   std::string reference_units;
@@ -20,11 +20,11 @@ struct FileOptions {
   std::string path_units;
   tool_paths::PathOptions path;
 
-  /// The unit of a file: its own, else that of all files, else metres.
+  /// The unit of a file: its own option, else that of all files, else metres.
   std::string units_of_reference() const;
   std::string units_of_object() const;
 
-  /// Of the tool path.
+  /// The conventions of the tool path.
   tool_paths::PathConventions path_conventions() const;
 };
 

@@ -20,7 +20,7 @@ namespace {
 using scan_cell_common::InvalidParameter;
 using tool_path_programs::Language;
 
-constexpr double kFinestChord = 1e-5;  // [m] where no tolerance is allowed at all; chosen
+constexpr double kFinestChord = 1e-5;  // [m] if no tolerance is allowed at all; chosen
 
 class PathFile final : public PathInput {
  public:
@@ -37,7 +37,7 @@ class PathFile final : public PathInput {
                                 const tool_paths::ToolPath& adapted) const override {
     tool_paths::save_tool_path(output, adapted, file_.layout);
     std::vector<std::string> notes;
-    // CSV has no place for what else stands in YAML
+    // CSV has no place for the other keys of YAML
     if (file_.layout.yaml && scan_cell_common::extension_of(output) == ".csv")
       for (const std::string& key : file_.layout.kept)
         notes.push_back("left out of " + output + ": " + key);

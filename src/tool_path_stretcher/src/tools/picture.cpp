@@ -47,7 +47,7 @@ void add_options(CLI::App& app, Options& options, scan_cell_common::Outputs& out
       ->capture_default_str();
 }
 
-/// Units that are not given are those of the run.
+/// Units that are not given default to those of the run.
 tool_path_stretcher::FileOptions with_reported_units(
     tool_path_stretcher::FileOptions options, const tool_path_stretcher::ReportedVerdict& verdict) {
   if (!options.units.empty()) return options;

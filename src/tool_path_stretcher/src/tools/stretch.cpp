@@ -74,14 +74,14 @@ double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-/// What a run has found out so far.
+/// The state of a run.
 struct Run {
   StretchResult result;
   tool_path_stretcher::RunRecord record;
   std::unique_ptr<tool_path_stretcher::PathInput> path;
 };
 
-/// A path of an earlier run must not be taken for this one's.
+/// Removes the path of an earlier run, which must not be taken for this one's.
 void remove_old_path(const Options& options) {
   refuse_overwriting(options.output, {options.reference, options.object, options.path});
   remove_old(options.output);
@@ -99,7 +99,7 @@ void remove_old_report(const Options& options) {
   }
 }
 
-/// All that can be wrong with the options, before any file is read.
+/// Checks the options before any file is read.
 void check_options(Options& options) {
   tool_path_stretcher::PathInput::check_output(options.path, options.output);
   remove_old_path(options);
@@ -158,7 +158,7 @@ void save_path(const Options& options, Run& run) {
   run.record.seconds_writing = seconds_since(start);
 }
 
-/// The path before the report: an accepting report without its path would be a lie.
+/// Writes the path before the report: a report must not accept a path that was not written.
 void save(const Options& options, Run& run) {
   if (run.result.verdict.accepted()) save_path(options, run);
   try {
@@ -169,7 +169,7 @@ void save(const Options& options, Run& run) {
   }
 }
 
-/// To three digits, which say enough.
+/// Three digits are enough.
 std::string three_digits(double value) {
   std::ostringstream text;
   text.precision(3);
@@ -218,7 +218,7 @@ int main(int argc, char** argv) {
       "Adapts a tool path proven on a reference part to a scanned object.\n"
       "Exit code 0: accepted; 2: refused, the report says why; 1: unusable input.");
   Options options;
-  // What is wrong with the path's name goes into the report.
+  // An error in the path's name goes into the report.
   Outputs outputs(Outputs::Clearing::kByTool);
   add_options(app, options, outputs);
   return scan_cell_common::tool_main(

@@ -27,7 +27,7 @@ Similarity turned(double scale, double degrees) {
           {0.05, -0.03, 0.004}};
 }
 
-/// Collects cases of one part; each differs from the last by what is named.
+/// Collects cases of one part. Each differs from the last by what is named.
 class Family {
  public:
   Family(std::string name, Part part, bool from_above, std::vector<Case>& all)

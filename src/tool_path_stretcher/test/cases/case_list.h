@@ -10,7 +10,7 @@
 
 namespace cases {
 
-/// A reference, an object, and all that is known of how the one lies to the other.
+/// A reference, an object, and the full truth about their relation.
 struct Case {
   std::string name;
   Part reference;
@@ -20,16 +20,16 @@ struct Case {
   Scan reference_scan;
   Scan object_scan;
   tool_path_stretcher::Reason expected = tool_path_stretcher::Reason::kAccepted;
-  std::optional<tool_path_stretcher::Reason> also = {};  //!< that geometry allows as well
+  std::optional<tool_path_stretcher::Reason> also = {};  //!< also allowed by the geometry
   double stand_off = 0;    //!< [m] of the tool from the surface, along its normal
-  bool own_image = false;  //!< the path is its own image: waypoints may change places
+  bool own_image = false;  //!< the path is symmetric: waypoints may change places
 
   bool is_right(tool_path_stretcher::Reason reason) const {
     return reason == expected || reason == also;
   }
 };
 
-/// What the case is made of: two clouds, the path that is given, and where it comes to lie.
+/// The data of a case: two clouds, the given path and the true path.
 struct Scene {
   Points reference;
   Points object;
@@ -38,18 +38,18 @@ struct Scene {
 };
 Scene scene_of(const Case& each);
 
-/// What an adapted path is compared with: the truth, or of a path that is its own image the truth's
-/// nearest waypoints.
+/// The path to compare an adapted path with: the truth, or for a symmetric path, the nearest
+/// waypoints of the truth.
 ToolPath truth_beside(const ToolPath& path, const Scene& scene, const Case& each);
 
-/// All cases of the benchmark. Two real parts are among them where `data` holds them.
+/// All cases of the benchmark, including two real parts if `data` has them.
 /// @param data folder with parts/<name>/part.stl and toolpath.yaml; empty: none
 std::vector<Case> all_cases(const std::string& data);
 
-/// Those with kinds of parts, scans and combinations that the stretcher was not developed on.
+/// Adds cases with kinds of parts, scans and combinations that the stretcher was not developed on.
 void add_harder(std::vector<Case>& all);
 
-/// Those of which the reference, the object or both are partial, with the path in what both have.
+/// Adds cases with a partial reference, object or both, with the path in the part that both show.
 void add_partial(std::vector<Case>& all);
 
 }  // namespace cases

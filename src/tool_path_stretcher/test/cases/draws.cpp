@@ -17,8 +17,8 @@ using Eigen::Vector2d;
 using tool_path_stretcher::Reason;
 using tool_path_stretcher::Surface;
 
-/// A solid whose outline is its own image in `turns` turns about the origin, and mirrored at the x
-/// axis.
+/// A solid whose outline is symmetric under `turns` rotations about the origin and mirroring at the
+/// x axis.
 struct Symmetric {
   std::string name;
   Solid solid;
@@ -39,7 +39,7 @@ class Random {
   std::mt19937 engine_;
 };
 
-constexpr int kRound = 72;  // corners of what stands for a circle
+constexpr int kRound = 72;  // corners of a polygon that stands for a circle
 
 std::vector<Loop> holes_around(int count, double radius, double hole) {
   std::vector<Loop> holes;
@@ -170,7 +170,7 @@ bool has_room(const Solid& solid, const Vector2d& at, double radius) {
   return true;
 }
 
-/// How far [m] a point of the plane lies from its nearest image under the outline's symmetries.
+/// Distance [m] of a point of the plane from its nearest image under the outline's symmetries.
 double from_images(const Symmetric& shape, const Vector2d& at) {
   double least = 2 * shape.radius;
   for (int i = 0; i < shape.turns; ++i) {
@@ -183,7 +183,7 @@ double from_images(const Symmetric& shape, const Vector2d& at) {
   return least;
 }
 
-/// Bores a hole away from all its images. What is round has flips that no hole breaks: it gets a
+/// Bores a hole away from all its images. A round solid has flips that no hole breaks, so it gets a
 /// slope instead.
 bool bore(Symmetric& shape, double radius, Random& random) {
   const bool round = shape.turns == kRound;
@@ -228,8 +228,8 @@ std::optional<ToolPath> path_on_top(const Solid& solid, double radius, Random& r
   return {};
 }
 
-/// An angle plate that is narrower at its top, with a hole; with equal legs and the hole between
-/// them it has a mirror plane.
+/// An angle plate, narrower at its top, with a hole. With equal legs and the hole between them, it
+/// has a mirror plane.
 Symmetric angle_plate(bool has_mirror, Random& random) {
   const double radius = random.between(0.05, 0.14);
   const double wide = random.between(0.35, 0.6) * radius;

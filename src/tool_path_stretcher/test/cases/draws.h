@@ -8,18 +8,18 @@
 #include "parts/solids.h"
 #include "tool_path_stretcher/stretcher.h"
 
-/// Parts drawn at random: of any size, in any pose, as mesh or cloud, sampled as it happens.
+/// Random parts: of any size, in any pose, as mesh or cloud, with any sampling.
 namespace cases {
 
-/// What the drawn object is to the drawn reference.
+/// The relation of the random object to the random reference.
 enum class Draw {
-  kSymmetric,        //!< the same part, its own image in another pose; the path is not
-  kDistinguishable,  //!< the same part with a hole that only one pose explains
-  kMirrored,         //!< the mirror image of a part that no turn makes its own mirror image
-  kMirrorSymmetric,  //!< the same part, which has a mirror plane and no other symmetry
+  kSymmetric,        //!< the same symmetric part; the path is not symmetric
+  kDistinguishable,  //!< the same part, with a hole that only one pose explains
+  kMirrored,         //!< the mirror image of a chiral part
+  kMirrorSymmetric,  //!< the same part, with a mirror plane and no other symmetry
 };
 
-/// Which shapes are drawn. The second kind was not looked at while the stretcher was made.
+/// The kind of shapes. The second kind was not used during the stretcher's development.
 enum class Shapes { kKnown, kOthers };
 
 struct DrawnPart {
@@ -27,7 +27,7 @@ struct DrawnPart {
   tool_path_stretcher::Reason expected;
   pcl::PolygonMesh reference;
   pcl::PolygonMesh object;
-  bool from_mesh;  //!< the reference is given as a mesh, else as a cloud
+  bool from_mesh;  //!< the reference is a mesh, otherwise a cloud
   std::size_t reference_points;
   std::size_t object_points;
   double noise;  //!< [m] of the clouds
@@ -42,7 +42,7 @@ DrawnPart draw(Draw what, Shapes shapes, double noise, unsigned seed);
 
 tool_path_stretcher::StretchResult run(const DrawnPart& part);
 
-/// [m] farthest waypoint of an accepted path from where it belongs
+/// [m] largest distance of a waypoint of an accepted path from the truth
 double farthest_off(const DrawnPart& part, const ToolPath& adapted);
 
 }  // namespace cases

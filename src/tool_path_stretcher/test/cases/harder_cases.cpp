@@ -12,7 +12,7 @@ using tool_path_stretcher::Reason;
 
 using scan_cell_common::kDegree;
 
-/// Collects cases, each with seeds of its own.
+/// Collects cases, each with its own seeds.
 class Cases {
  public:
   explicit Cases(std::vector<Case>& all) : all_(all) {}
@@ -76,7 +76,7 @@ void add_plates(Cases& cases) {
 
 void add_elbows(Cases& cases) {
   cases.add("elbow, any turn x 0.7", elbow(), 0.7);
-  // In the middle of the bend, out of it: a hill along the surface would not show.
+  // In the middle of the bend, outwards: a hill along the surface would not show.
   const Eigen::Vector3d out = Eigen::Vector3d(-1, 0, 1).normalized();
   const Eigen::Vector3d middle = Eigen::Vector3d(0.08, 0, 0) + 0.105 * out;
   cases.add("elbow, bulged 2 mm, holes", elbow(), 1.1, bulge_at(middle, 0.002 * out, 0.03))
@@ -92,7 +92,7 @@ void add_frames_and_panels(Cases& cases) {
   Case& crest = cases.add("frame, crest filed 1.8 mm on one side", photo_frame(0.003), 1,
                           filed({0, -0.08, 1}, 0.0227 / std::hypot(1, 0.08)));
   crest.reference_scan.from_above = crest.object_scan.from_above = true;
-  // The rosette is gone as well, and with it what told one end from the other.
+  // The rosette is gone too, which was all that told one end from the other.
   Case& flat =
       cases.add("frame, whole crest filed flat", photo_frame(0.003), 1, filed({0, 0, 1}, 0.0175));
   flat.reference_scan.from_above = flat.object_scan.from_above = true;

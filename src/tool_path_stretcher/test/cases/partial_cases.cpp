@@ -49,7 +49,7 @@ class PartialCases {
  public:
   explicit PartialCases(std::vector<Case>& all) : all_(all) {}
 
-  /// @param whole how the part is scanned where all of it is
+  /// @param whole how the part is scanned if all of it is
   void add(const std::string& name, const Part& part, const Scan& whole) {
     Scan begin = whole;
     begin.share = 0.6;
@@ -60,7 +60,7 @@ class PartialCases {
     Scan end = whole;
     end.share = 0.65;
     end.far_end = true;
-    // The features that break its symmetry may lie outside of what both scans show.
+    // The features that break its symmetry may lie outside the part that both scans show.
     add_one(name + ", reference of 75 %, other 65 % scanned", with_path_within(part, 0.4, 0.7), 1,
             begin, end)
         .also = tool_path_stretcher::Reason::kAmbiguous;

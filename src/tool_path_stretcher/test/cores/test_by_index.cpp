@@ -19,14 +19,14 @@ using namespace tool_path_stretcher;
 
 namespace {
 
-/// Calls work with so many threads at its disposal, whatever the machine has.
+/// Calls work with that many threads available, whatever the machine has.
 template <class Work>
 void with_threads(std::size_t count, const Work& work) {
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, count);
   tbb::task_arena(static_cast<int>(count)).execute(work);
 }
 
-/// The whole result as text, but for the time it took.
+/// The whole result as text, without the time it took.
 std::string bytes_of(StretchResult result) {
   result.seconds = 0;
   std::string text = report_to_json(result);

@@ -19,9 +19,9 @@ using tool_path_stretcher::Points;
 
 namespace {
 
-const ros::Duration kLong(60);  // for a busy machine
+const ros::Duration kLong(60);  // allows for a busy machine
 
-/// The panel, and beside it a small one, whose size no reference may have.
+/// The panel, and beside it a small one whose size is out of range for the reference.
 scan_cell_common::Cloud scene(const synthetic::Part& panel) {
   Points points;
   for (const auto& [scale, y] : {std::pair{1.0, 0.0}, {0.3, 0.2}}) {

@@ -32,7 +32,7 @@ using State = actionlib::SimpleClientGoalState;
 
 namespace {
 
-constexpr double kLong = 120;  // [s] for a busy machine
+constexpr double kLong = 120;  // [s] allows for a busy machine
 constexpr std::size_t kWaypoints = 60;
 
 sensor_msgs::PointCloud2 cloud_message(const synthetic::Points& points) {
@@ -76,8 +76,8 @@ class StretchAction : public testing::Test {
     EXPECT_TRUE(comes([this] { return client_.isServerConnected(); }));
   }
 
-  /// Serves the client's callbacks in this thread, until it is so: actionlib's client does not bear
-  /// an answer from another one while it sends.
+  /// Serves the client's callbacks in this thread until the condition holds: actionlib's client
+  /// does not tolerate an answer from another thread while it sends.
   template <class Condition>
   bool comes(const Condition& condition) {
     const ros::WallTime end = ros::WallTime::now() + ros::WallDuration(kLong);
@@ -101,7 +101,8 @@ class StretchAction : public testing::Test {
     return goal;
   }
 
-  /// Each point of the reference as it was mapped, taken back by the truth, is one of its own.
+  /// Expects each mapped point of the reference, moved back by the truth, to be one of the
+  /// reference's points.
   void expect_reference_on_object() const {
     const auto message = latched<sensor_msgs::PointCloud2>("/tool_path_stretcher/mapped_reference");
     ASSERT_TRUE(message);

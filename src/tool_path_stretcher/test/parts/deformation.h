@@ -7,7 +7,7 @@
 
 namespace cases {
 
-/// Where a point of the part comes to lie once the part is deformed [m].
+/// The position [m] of a point of the part after the deformation.
 using Deformation = std::function<Eigen::Vector3d(const Eigen::Vector3d&)>;
 
 Deformation none();
@@ -15,25 +15,26 @@ Deformation none();
 /// One after the other.
 Deformation both(Deformation first, Deformation second);
 
-/// Round a cylinder along y, so that `width` sags by `rise` [m]; lengths along z = 0 are kept.
+/// Bends around a cylinder along y, so that `width` sags by `rise` [m]; lengths along z = 0 are
+/// kept.
 Deformation bend(double rise, double width);
 
-/// Turned about x by `angle` [rad] in all over `width` [m].
+/// Twists about x by `angle` [rad] in total over `width` [m].
 Deformation twist(double angle, double width);
 
-/// A Gaussian hill of `rise` [m] along z, or a dent where that is below 0.
+/// A Gaussian hill of `rise` [m] along z, or a dent if `rise` is below 0.
 Deformation bulge(double rise, double radius, const Eigen::Vector2d& at);
 
 /// A Gaussian hill around a place in space, in any direction; `rise` is its top [m].
 Deformation bulge_at(const Eigen::Vector3d& at, const Eigen::Vector3d& rise, double radius);
 
-/// Stretched within x and y by up to `most` [m], unevenly.
+/// Stretches within x and y by up to `most` [m], unevenly.
 Deformation swelling(double most, double width);
 
-/// Filed down to a plane: what lies beyond it comes to lie on it.
+/// Files down to a plane: moves everything beyond the plane onto it.
 Deformation filed(const Eigen::Vector3d& normal, double distance);
 
-/// A point with the normal there, carried over. The frame keeps its first axis along the path.
+/// The deformed frame of a point and its normal. The first axis stays along the path.
 Eigen::Isometry3d deformed(const Deformation& deformation, const Eigen::Isometry3d& pose);
 
 }  // namespace cases

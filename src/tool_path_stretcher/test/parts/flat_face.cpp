@@ -32,7 +32,7 @@ bool cross_each_other(const Vector2d& a, const Vector2d& b, const Vector2d& c, c
   return side(a, b, c) * side(a, b, d) < 0 && side(c, d, a) * side(c, d, b) < 0;
 }
 
-/// Triangles of the plane: the holes are joined to the outline by bridges, then ears are cut off.
+/// Triangulates in the plane: joins the holes to the outline by bridges, then cuts off ears.
 class Triangulation {
  public:
   Triangulation(const Loop& outline, const std::vector<Loop>& holes) {
@@ -103,7 +103,7 @@ class Triangulation {
     ring_ = std::move(joined);
   }
 
-  /// Whether a point lies in the angle that the ring leaves open at one of its corners.
+  /// Whether a point lies in the open angle of the ring at one of its corners.
   bool opens_to(std::size_t i, const Vector2d& at) const {
     const Vector2d& corner = points_[ring_[i]];
     const Vector2d before = points_[ring_[(i + ring_.size() - 1) % ring_.size()]] - corner;

@@ -12,13 +12,13 @@ namespace cases {
 
 /// A flat face with holes as triangles.
 struct FlatFace {
-  Loop points;                                        //!< [m] of the outline, then of each hole
-  std::vector<std::vector<std::size_t>> rings;        //!< their numbers: outline to the left, holes
-                                                      //!< to the right
-  std::vector<std::array<std::size_t, 3>> triangles;  //!< to the left
+  Loop points;  //!< [m] points of the outline, then of each hole
+  std::vector<std::vector<std::size_t>>
+      rings;  //!< indices: outline counter-clockwise, holes clockwise
+  std::vector<std::array<std::size_t, 3>> triangles;  //!< counter-clockwise
 };
 
-/// The holes are joined to the outline by bridges, then ears are cut off.
+/// Triangulates: joins the holes to the outline by bridges, then cuts off ears.
 /// @throw std::logic_error if a loop crosses itself or another one
 FlatFace triangulated(const Loop& outline, const std::vector<Loop>& holes);
 

@@ -9,8 +9,8 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// A ring about the x axis from one place to another, given as (x, radius); out of the part is left
-/// of the way from the first to the second, seen with x to the right and the radius upwards.
+/// A ring about the x axis between two places given as (x, radius). The outside is left of the
+/// direction from the first to the second, seen with x to the right and the radius upwards.
 std::vector<Facet> ring(const Eigen::Vector2d& from, const Eigen::Vector2d& to, int columns,
                         int rows, const Kept& kept = {}) {
   return patches(
@@ -79,7 +79,7 @@ SurfacePoint on_cylinder(double x, double radius, double angle) {
   return {Vector3d(x, 0, 0) + radius * out, out};
 }
 
-/// A step of a smooth flank from 0 to 1 around zero.
+/// A step with a smooth flank, from 0 to 1 around zero.
 double step(double at) {
   constexpr double kFlank = 0.001;
   return 0.5 * (1 + std::tanh(at / kFlank));
@@ -88,7 +88,8 @@ double step(double at) {
 constexpr double kBendRadius = 0.080;
 constexpr double kPipeRadius = 0.025;
 
-/// From a straight end of 40 mm at z = -0.04 round a quarter turn to the flange at x = 0.08.
+/// A point on the pipe, from a straight end of 40 mm at z = -0.04 through a quarter turn to the
+/// flange at x = 0.08.
 Vector3d on_pipe(double along, double angle) {
   const Vector3d flat(std::cos(angle), std::sin(angle), 0);  // of the pipe's section at its start
   if (along < 0) return kPipeRadius * flat + Vector3d(0, 0, along);

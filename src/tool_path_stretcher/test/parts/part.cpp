@@ -12,7 +12,7 @@
 namespace cases {
 namespace {
 
-/// @param profile height over the way across the moulding, 0 at the outer rim .. 1
+/// @param profile height across the moulding, from 0 at the outer rim to 1
 Part frame(const std::function<double(double across)>& profile, double rosette, double crest) {
   constexpr double kWidth = 0.200;
   constexpr double kDepth = 0.150;

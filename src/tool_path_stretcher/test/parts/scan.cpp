@@ -10,7 +10,7 @@
 namespace cases {
 namespace {
 
-/// Draws by area, and keeps what this scan sees.
+/// Samples by area and keeps the points that this scan sees.
 class Scanner {
  public:
   Scanner(const Part& part, const Scan& how) : part_(part), how_(how), engine_(how.seed) {
@@ -42,7 +42,7 @@ class Scanner {
     return box_.min() - 0.1 * box_.diagonal() + 1.2 * box_.diagonal().cwiseProduct(share);
   }
 
-  /// Beside the part, in the plane it stands on.
+  /// A point beside the part, in the plane it stands on.
   Eigen::Vector3d floor() {
     const double x = box_.min().x() + uniform() * box_.sizes().x();
     return {x, box_.max().y() + (0.03 + 0.25 * uniform()) * box_.sizes().y(), box_.min().z()};

@@ -13,7 +13,7 @@ constexpr double kCell = 0.001;  // [m]
 
 void add_wall(const Height& height, const Eigen::Vector2d& from, const Eigen::Vector2d& to,
               const Eigen::Vector2d& out, std::vector<Facet>& facets) {
-  constexpr double kInward = 1e-7;  // the height just inside of the wall
+  constexpr double kInward = 1e-7;  // for the height just inside the wall
   const auto at = [=](double u, double v) {
     const Eigen::Vector2d along = from + u * (to - from);
     const Eigen::Vector2d inner = along - kInward * out;

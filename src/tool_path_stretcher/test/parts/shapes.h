@@ -23,20 +23,20 @@ tool_path_stretcher::Waypoint waypoint_at(const SurfacePoint& point, const Eigen
 std::vector<Facet> facets_of(double width, double depth, const Inside& inside, const Height& height,
                              bool walls);
 
-/// A surface over u and v in 0 .. 1, in so many pieces; out of the part is d/du x d/dv.
-/// @param kept which pieces, by their middle; none given: all
+/// A surface over u and v in 0 .. 1, in columns x rows pieces. d/du x d/dv points out of the part.
+/// @param kept selects pieces by their middle; empty: all
 std::vector<Facet> patches(const Parametric& at, int columns, int rows, const Kept& kept = {});
 
-/// A flat piece; out of the part is u_edge x v_edge.
+/// A flat piece. u_edge x v_edge points out of the part.
 Facet rectangle(const Eigen::Vector3d& corner, const Eigen::Vector3d& u_edge,
                 const Eigen::Vector3d& v_edge);
 
 void append(const std::vector<Facet>& more, std::vector<Facet>& facets);
 
-/// Evenly by the parameter, in one segment; `at` gives the surface beside the path.
+/// A path in one segment, even in the parameter; `at` gives the surface beside the path.
 ToolPath path_along(const std::function<SurfacePoint(double a)>& at);
 
-/// Once around a rectangle of half the edges x and y.
+/// The point at share `a` around a rectangle with half edges x and y.
 Eigen::Vector2d around(double x, double y, double a);
 
 double half_diagonal(double width, double depth);

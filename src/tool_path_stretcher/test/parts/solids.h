@@ -9,37 +9,37 @@
 
 namespace cases {
 
-/// Corners of a closed line in the plane [m], without crossings.
+/// Corners [m] of a closed line in the plane, without crossings.
 using Loop = std::vector<Eigen::Vector2d>;
 
 /// A regular polygon about the origin with a corner on the x axis.
 Loop regular(int corners, double radius);
 
-/// A regular star about the origin: corners at the two radii in turn, the first at `outer` on the x
-/// axis.
+/// A regular star about the origin: corners alternate between the two radii, the first at `outer`
+/// on the x axis.
 Loop star(int points, double outer, double inner);
 
 Loop rectangle_loop(double width, double depth);
 
-/// A circle as a polygon of so many corners.
+/// A circle as a polygon with that many corners.
 Loop circle(const Eigen::Vector2d& centre, double radius, int corners = 48);
 
 /// A plus sign: two bars of the given length and width that cross at the origin.
 Loop cross(double length, double width);
 
-/// Whether the plane's point lies inside a loop, and how far [m] it is from its line.
+/// Whether a point of the plane lies inside a loop, and its distance [m] from the line.
 bool is_inside(const Loop& loop, const Eigen::Vector2d& at);
 double distance_to(const Loop& loop, const Eigen::Vector2d& at);
 
-/// A flat solid as it is cut from a plate.
+/// A flat solid as cut from a plate.
 struct Solid {
   Loop outline;
   std::vector<Loop> holes;  //!< through it
   double height = 0;        //!< [m] from z = 0
-  double taper = 1;         //!< size of the top to that of the bottom
+  double taper = 1;         //!< size of the top relative to the bottom
 };
 
-/// Its whole surface as triangles, wound so that their normals point out of it.
+/// Its whole surface as triangles with outward normals.
 /// @throw std::logic_error if a loop crosses itself or another one
 pcl::PolygonMesh mesh_of(const Solid& solid);
 

@@ -13,10 +13,11 @@ using Eigen::Vector3d;
 
 namespace {
 
-/// [m] the flat height in which a raster crosses what has no surface.
+/// [m] constant height at which a raster crosses places without a surface.
 constexpr double kBridge = 0.04;
 
-/// A crowned sheet of 1.2 x 0.42 m with two windows and a notch in its rim, as they are sanded.
+/// A crowned sheet of 1.2 x 0.42 m with two windows and a notch in its rim, like those that are
+/// sanded.
 Part sheet_with_openings() {
   Part part;
   part.width = 1.2;
@@ -34,7 +35,7 @@ Part sheet_with_openings() {
   return part;
 }
 
-/// A path, and which of its waypoints have no surface.
+/// A path, and which of its waypoints have no surface beside them.
 struct AirPath {
   ToolPath path;
   std::vector<bool> in_air;
@@ -50,8 +51,8 @@ struct AirPath {
   }
 };
 
-/// [m] beyond which no waypoint of raster() counts as one on the surface; nearer than a third of it
-/// none is in the air. 10 mm lies between.
+/// [m] Beyond this, no waypoint of raster() counts as on the surface; nearer than a third of it,
+/// none is in the air. 10 mm lies in between.
 constexpr double kClear = 0.033;
 
 double from_surface(const Part& part, const Vector3d& at) {
@@ -170,7 +171,8 @@ TEST(Air, OfABentPartFollowsTheBendAsFarAsItsExpectedErrorsSay) {
       continue;
     }
     EXPECT_LT(errors[i], 3 * expected_error(result.quality[i])) << i;
-    // The surface leans: what is held by it leans with it, what the bend alone lifts does not.
+    // The surface leans. Anything attached to it leans with it; anything lifted only by the bend
+    // does not.
     EXPECT_LT(errors[i], 0.0015 + 1.2 * steepest * from_surface(each.part, at[i])) << i;
   }
 }
@@ -294,7 +296,7 @@ TEST(Air, BeyondAnyRobotsReachIsRefused) {
   EXPECT_EQ(result.verdict.waypoints, std::vector<std::size_t>{kWaypoints - 1});
 }
 
-/// The path of a panel, led over it.
+/// The path of a panel, led over it at a stand-off.
 Case led_over(double stand_off) {
   Case each;
   each.part = each.scanned_part = synthetic::curved_panel();

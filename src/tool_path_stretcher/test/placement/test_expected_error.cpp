@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::size_t kWaypoints = 200;
 
-/// A moulding of 240 x 50 mm, the same all along x, its path along the crest.
+/// A moulding of 240 x 50 mm, constant along x, with the path along the crest.
 Part straight_moulding() {
   Part part;
   part.width = 0.24;
@@ -82,8 +82,8 @@ double median(const std::vector<Ratio>& ratios, double Ratio::*which) {
   return values.at(values.size() / 2);
 }
 
-/// Nearly all waypoints are off by less than three times what is expected, and not by a small part
-/// of it only.
+/// Expects nearly all errors to be less than three times the expected ones, but not only a small
+/// part of them.
 void expect_calibrated(const Case& each) {
   const StretchResult result = each.run();
   ASSERT_TRUE(result.verdict.accepted()) << result.verdict.message;

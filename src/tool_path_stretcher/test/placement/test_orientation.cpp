@@ -12,8 +12,8 @@ using namespace tool_path_stretcher;
 
 namespace {
 
-/// Two planes that meet at a ridge with a fold of 40 degrees, and a flat end that shows where it
-/// lies; the path runs to and fro across the ridge.
+/// Two planes that meet at a ridge with a fold of 40 degrees, and a flat end that shows the
+/// position along it. The path runs back and forth across the ridge.
 Part roof() {
   const double steep = std::tan(20 * kDegree);
   Part part;
@@ -53,8 +53,8 @@ double root_mean_square(const std::vector<double>& values) {
 
 constexpr double kWidth = 0.006;  // [m]
 
-/// A waypoint on a flat part that shows a slope, as on the flank of a dent: as high as the slope
-/// rises over a width.
+/// A waypoint on a flat part that shows a slope, as on the flank of a dent. Its height is the rise
+/// of the slope over one width.
 Station station(double slope, bool measured = true) {
   Station result{};
   result.in_air = false;

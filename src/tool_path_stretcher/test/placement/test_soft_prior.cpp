@@ -15,7 +15,7 @@ namespace {
 constexpr double kSize = 0.2;  // [m]
 const Eigen::Vector3d kCentre(0.1, 0.1, 0);
 
-/// A flat graph of 10 x 10 nodes, not displaced, and what is assumed of it.
+/// A flat, undisplaced graph of 10 x 10 nodes, and its assumptions.
 struct Sheet {
   Mapping mapping;
   NormalEquations known, rigid;
@@ -35,7 +35,7 @@ struct Sheet {
 
   std::size_t links() const { return mapping.graph.links().size(); }
 
-  /// The unknowns' motion that shifts each node as said.
+  /// The motion of the unknowns that shifts each node as given.
   template <class Shift>
   Eigen::VectorXd motion(const Shift& shift) const {
     Eigen::VectorXd motion = Eigen::VectorXd::Zero(rigid.matrix.rows());
@@ -51,7 +51,7 @@ struct Sheet {
     return prior.held(motions)(0, 0);
   }
 
-  /// In squared standard deviations of links that are independent of each other.
+  /// The motion's cost in squared standard deviations of independent links.
   double held_by_links(const Eigen::VectorXd& motion) const {
     return motion.dot(rigid.matrix * motion);
   }
@@ -64,7 +64,7 @@ TEST(SoftPrior, AStretchOfTheWholePartIsOneObservationOfAllLinks) {
     const Eigen::Vector3d& at = sheet.mapping.graph.nodes()[i].at;
     return Eigen::Vector3d(1e-3 * (at - kCentre).x(), 0, 0);
   });
-  // The covariances of links and modes add up, so that the modes' alone is the least.
+  // The covariances of links and modes add up, so the modes' alone is the least.
   const double one = sheet.held_by_links(stretch) / static_cast<double>(sheet.links());
   EXPECT_LT(sheet.held(stretch), one);
   EXPECT_GT(sheet.held(stretch), 0.95 * one);
@@ -89,7 +89,7 @@ TEST(SoftPrior, TurnAndShiftOfTheWholeAreHeldByWhatWasKnownOfThem) {
 TEST(SoftPrior, IsTheInverseOfTheSumOfBothCovariances) {
   const Sheet sheet;
   const Eigen::MatrixXd stiff = sheet.known.matrix + sheet.rigid.matrix;
-  // Of the modes those that differ: eigenvectors of what they strain.
+  // The independent modes: eigenvectors of their strain.
   const Eigen::MatrixXd strained = sheet.modes.transpose() * sheet.rigid.matrix * sheet.modes /
                                    static_cast<double>(sheet.links());
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(strained);

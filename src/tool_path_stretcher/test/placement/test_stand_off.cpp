@@ -46,8 +46,8 @@ TEST(Resampling, IsDoneBeforeThePathIsAdapted) {
   EXPECT_EQ(result.quality.size(), waypoint_count(result.reference_path));
 }
 
-/// Expects that a path lifted off the panel by `height` (of the share of the way along it) [m] is
-/// `expected` [m] off the panel grown by half.
+/// Expects that a path lifted off the panel by `height` [m] (a function of the share along the
+/// path) is `expected` [m] off the panel scaled by 1.5.
 void expect_stand_off(StandOff stand_off, const std::function<double(double)>& height,
                       const std::function<double(double)>& expected) {
   const synthetic::Part part = synthetic::curved_panel();

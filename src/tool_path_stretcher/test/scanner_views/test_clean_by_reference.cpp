@@ -25,24 +25,24 @@ Mesh casing_mesh() {
   return plate_parts(draws)[kCasing].mesh;
 }
 
-/// Turned about the vertical, and moved.
+/// The mesh rotated about the vertical and moved.
 Mesh lying(const Mesh& mesh, double turn, double x, double y) {
   return moved(mesh, [&](const Vector3d& at) -> Vector3d {
     return Eigen::AngleAxisd(turn, Vector3d::UnitZ()) * at + Vector3d(x, y, 0);
   });
 }
 
-/// What a line scanner sees of surfaces, and which one each point is of.
+/// A line scan of surfaces, with the surface of each point.
 class Table {
  public:
-  /// @param meshes the one that is looked at first
+  /// @param meshes the scanned part first
   explicit Table(const std::vector<Mesh>& meshes, Viewing viewing = Viewing::kAboveBothLasers) {
     constexpr double kAround = 0.3;  // [m]
     Draws draws(5);
     points_ = scan(meshes, {viewing, kAround}, draws);
   }
 
-  /// Leaves out what lies between two x [m].
+  /// Removes the points between two x [m].
   void darken(double from, double to) {
     ScanPoints lit;
     for (std::size_t i = 0; i < points_.places.size(); ++i) {
@@ -55,7 +55,7 @@ class Table {
 
   cloud_preprocess::Cloud cloud() const { return tool_path_stretcher::to_cloud(points_.places); }
 
-  /// Of the points of these surfaces, the share that is left.
+  /// The remaining share of these surfaces' points.
   double share(const cloud_preprocess::TracedCloud& left, const std::vector<unsigned>& of) const {
     const auto is_of = [&](unsigned surface) {
       return std::find(of.begin(), of.end(), surface) != of.end();
@@ -87,8 +87,8 @@ class CleanByReference : public testing::Test {
   void SetUp() override { std::filesystem::create_directories(folder_); }
   void TearDown() override { std::filesystem::remove_all(folder_); }
 
-  /// Cleaned; outliers stay, so that all of the part does.
-  /// @param reference empty: the largest object is kept
+  /// Cleans the scan; outliers stay, so that all of the part stays.
+  /// @param reference empty: keeps the largest object
   cloud_preprocess::TracedCloud cleaned(const Table& table, const Mesh& reference,
                                         bool across_shadows = true) {
     cloud_preprocess::CleanParameters parameters;
@@ -112,7 +112,7 @@ class CleanByReference : public testing::Test {
     return "not refused: " + said_;
   }
 
-  bool as_mesh_ = false;  // the reference; false: as a scan, which is quicker
+  bool as_mesh_ = false;  // reference as a mesh; false: as a scan, which is faster
   std::string said_;
 
  private:
@@ -141,7 +141,7 @@ Mesh floor_below() {
                [](const Vector3d& at) -> Vector3d { return at - Vector3d(0, 0, 0.01); });
 }
 
-/// A foot of a part that is nearer to the floor than that goes with it.
+/// The foot of a part near the floor is removed with it.
 constexpr double kWhole = 0.97;
 
 void expect_place(const std::string& said, const Vector3d& place) {

@@ -22,8 +22,8 @@ namespace {
 
 const Vector3d kAbove = Vector3d::UnitZ();
 
-/// Of 100 mm.
-/// @param cracked its first line and its last one are not the same to the last bit
+/// A ball of 100 mm.
+/// @param cracked its first and last line differ in the last bit
 Mesh ball(bool cracked = false) {
   constexpr int kSteps = 32;
   const auto at = [](int i, int k) {
@@ -42,7 +42,7 @@ Mesh ball(bool cracked = false) {
   return builder.take();
 }
 
-/// An open one of 200 mm x 100 mm in small cells: one edge in a hundred has no neighbour.
+/// An open sheet of 200 mm x 100 mm in small cells: one edge in a hundred has no neighbour.
 Mesh fine_sheet() {
   constexpr int kColumns = 400, kRows = 200;
   const auto at = [](int column, int row) { return Vector3d(0.0005 * column, 0.0005 * row, 0); };
@@ -54,7 +54,8 @@ Mesh fine_sheet() {
   return builder.take();
 }
 
-/// Points inside the outline of the upper block, between two heights [m], that face the direction.
+/// Counts points inside the outline of the upper block, between two heights [m], that face the
+/// direction.
 std::ptrdiff_t count(const Surface& surface, double low, double high,
                      const Vector3d& facing = Vector3d::Zero()) {
   std::ptrdiff_t found = 0;
@@ -76,7 +77,8 @@ View view_of_case(const std::string& name, unsigned seed = 1) {
   throw std::invalid_argument(name);
 }
 
-/// Accepted, and everywhere within 1 mm of the truth along the normal and 5 mm in all.
+/// Expects acceptance, with every waypoint within 1 mm of the truth along the normal and 5 mm in
+/// total.
 void expect_right(const std::string& name, unsigned seed = 1) {
   SCOPED_TRACE(name);
   const View view = view_of_case(name, seed);
@@ -204,7 +206,7 @@ TEST(ClosedReferences, OfAProfileSlideOnToWhereItFits) {
 
 TEST(ClosedReferences, OfABentPartSlideOnToWhereTheyFitAndAreBentAnew) {
   expect_right("bent: saddle shell, bent", 3);
-  expect_right("bent: saddle shell, bent", 4);  // before, no bend was found at all
+  expect_right("bent: saddle shell, bent", 4);  // previously, no bend was found at all
 }
 
 TEST(ScannedReferences, TiltNoToolWhereAnEdgeIsOnlyRoundedOff) {

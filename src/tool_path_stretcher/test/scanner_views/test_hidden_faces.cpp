@@ -13,8 +13,8 @@ using Eigen::Vector3d;
 
 namespace {
 
-constexpr std::size_t kOnTop = 36;   // waypoints, 1 mm apart
-constexpr std::size_t kOnWall = 18;  // below them, the same
+constexpr std::size_t kOnTop = 36;   // waypoints 1 mm apart
+constexpr std::size_t kOnWall = 18;  // below them, also 1 mm apart
 
 /// Over the upper block of step(), and down its wall towards -x.
 ToolPath path_over_the_edge() {
@@ -33,11 +33,11 @@ ToolPath path_over_the_edge() {
   return path;
 }
 
-/// A scan that looks at step() from the side of +x: the wall towards -x is not in it.
+/// A scan of step() from the +x side, without the wall towards -x.
 StretchResult stretched(double max_hole_distance) {
   StretchParameters parameters;
   parameters.max_hole_distance = max_hole_distance;
-  PosePrior prior;  // it looks the same when turned by 180 degrees
+  PosePrior prior;  // the part has a 180 degree symmetry
   parameters.prior.pose = prior;
   const Surface reference = surface_from_mesh(to_polygon_mesh(step()), parameters.leaf, "mesh");
   const Points from = {Vector3d(1, 0, 1).normalized()};

@@ -19,7 +19,7 @@ Scanner without_noise() {
   return scanner;
 }
 
-/// From straight above, along x.
+/// A scan from straight above, along x.
 ScanPoints scan_from_above(const Mesh& mesh, const Scanner& scanner, bool both_lasers = false) {
   const scan_cell_sim::Scene scene({mesh}, 0.7);
   Sweep sweep;
@@ -48,11 +48,11 @@ TEST(LineScanner, WithoutNoisePointsAwayFromEdgesLieOnThePart) {
 }
 
 TEST(LineScanner, AStepThrowsAShadowAsLongAsTheLightIsSlanted) {
-  // One laser, half a metre below and a quarter beside the camera: behind a step of 30 mm its
-  // light meets the lower face 15 mm on. The camera looks straight down on it.
+  // One laser, half a metre below and a quarter beside the camera: behind a step of 30 mm, its
+  // light meets the lower face after 15 mm. The camera looks straight down.
   const ScanPoints points = scan_from_above(step(), without_noise());
   double nearest = 1;  // [m] of the lower face behind the step
-  double before = 1;   // and before it
+  double before = 1;   // and in front of it
   for (const Vector3d& at : points.places) {
     if (std::abs(at.y()) > 0.02 || at.z() > 0.012) continue;
     if (at.x() > 0.02) nearest = std::min(nearest, at.x() - 0.02);
@@ -93,7 +93,7 @@ TEST(LineScanner, NoiseAlongTheLightGrowsAsItGrazes) {
   Scanner scanner;
   scanner.speckle = 0;
   const double slope = std::atan2(scanner.baseline, scanner.stand_off);
-  // Planes that fall away from the light, which comes from where x is less.
+  // Planes that slope away from the light, which comes from smaller x.
   const auto rms_of = [&](double lean) {
     const Mesh level = block(0.1, 0.1, 0.005);
     const Eigen::AngleAxisd turn(lean, Vector3d::UnitY());
@@ -107,7 +107,8 @@ TEST(LineScanner, NoiseAlongTheLightGrowsAsItGrazes) {
     }
     return count < 100 ? 1.0 : std::sqrt(sum / count);
   };
-  // 0.05 px of 800 px at 0.5 m, seen under the light's slope, over the root of the light that comes
+  // 0.05 px of 800 px at 0.5 m, seen at the light's slope, divided by the root of the returned
+  // light
   const double seen = 0.05 * 0.5 / 800 / std::sin(slope);
   EXPECT_NEAR(rms_of(0), seen / std::sqrt(std::cos(slope)), 0.1 * seen);
   EXPECT_NEAR(rms_of(0.7), seen / std::sqrt(std::cos(slope + 0.7)), 0.1 * seen);

@@ -18,9 +18,9 @@ constexpr double kHalf = 0.05, kHeight = 0.02;  // [m] of the block
 constexpr double kRadius = 0.003;               // [m] of the fit
 constexpr double kNoise = 2e-5;                 // [m]
 
-/// The block's top and the wall at its edge along y, where a line scanner has points every
-/// millimetre.
-/// @param lowered [m] of the top, that far from the edge
+/// The block's top and the wall at its edge along y, with points every millimetre as from a line
+/// scanner.
+/// @param lowered [m] of the top, as a function of the distance from the edge
 template <class Lowered>
 Surface scanned(const Lowered& lowered) {
   constexpr double kStep = 0.001;
@@ -46,7 +46,7 @@ LocalSurface fitted_at(double away, const Surface& scan) {
   return fitter.fit({kHalf - away, 0, kHeight}, Eigen::Matrix3d::Zero());
 }
 
-/// Of a scan whose mixed points round the edge off, over 2 mm.
+/// The surface from a scan whose mixed points round off the edge over 2 mm.
 LocalSurface beside_rounded_edge() {
   return fitted_at(0.001, scanned([](double away) {
                      constexpr double kOff = 0.0004, kOver = 0.002;

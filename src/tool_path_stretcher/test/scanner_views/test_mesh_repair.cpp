@@ -22,17 +22,17 @@ Mesh together(Mesh one, const Mesh& other) {
   return one;
 }
 
-/// A cube of 50 mm in small triangles, its middle at a place [m].
+/// A cube of 50 mm in small triangles, centred at `middle` [m].
 Mesh cube_at(const Vector3d& middle) {
   const Mesh cube = refined(block(0.05, 0.05, 0.05), 0.01);
   return moved(cube, [&](const Vector3d& at) -> Vector3d {
-    // Onto a lattice, so that cubes that touch have the same vertices.
+    // Snaps to a lattice, so that touching cubes have the same vertices.
     const Vector3d steps = ((at + middle) / 1e-6).array().round();
     return 1e-6 * steps;
   });
 }
 
-/// The share of the samples whose normals point away from the nearest of the middles.
+/// The share of samples whose normals point away from the nearest middle.
 double share_out(const Surface& surface, const Points& middles) {
   std::size_t out = 0;
   for (std::size_t i = 0; i < surface.points.size(); ++i) {

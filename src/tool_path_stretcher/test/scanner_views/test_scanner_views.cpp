@@ -20,7 +20,7 @@ TEST(ViewCases, TheSameSeedGivesTheSameBytesAndAnotherOneOthers) {
 }
 
 TEST(ViewCases, TheTruthLiesOnTheScannedPart) {
-  constexpr std::size_t kEvery = 5;  // cases, to stay quick
+  constexpr std::size_t kEvery = 5;  // cases, to save time
   constexpr double kNear = 0.002;    // [m] lines are 1 to 1.6 mm apart
   std::size_t number = 0;
   for (const ViewCase& each : all_cases(1, "")) {
@@ -39,7 +39,7 @@ TEST(ViewCases, TheTruthLiesOnTheScannedPart) {
   }
 }
 
-/// One of seed 1.
+/// A case of seed 1.
 ViewCase case_of(const std::string& family, const std::string& name) {
   for (const ViewCase& each : all_cases(1, "")) {
     if (each.family == family && each.name() == name) return each;
@@ -67,7 +67,7 @@ TEST_P(StretchedViews, AreAcceptedInTheRightPlaceOrRefused) {
   EXPECT_LT(outcome.errors.angle, M_PI / 180);
 }
 
-// Those that are answered well and soon; the benchmark has all.
+// Cases answered correctly and quickly; the benchmark has all.
 INSTANTIATE_TEST_SUITE_P(
     , StretchedViews,
     testing::Values(Named{"moved", "cast body, moved", Worth::kRight},

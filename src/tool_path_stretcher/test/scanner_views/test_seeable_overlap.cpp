@@ -18,7 +18,7 @@ constexpr double kSide = 0.1, kHeight = 0.015, kInlier = 0.001;  // [m]
 constexpr double kTop = kSide * kSide;
 constexpr double kWalls = 4 * kSide * kHeight;
 
-/// A plate whose underside is open by half.
+/// A plate with half of its underside open.
 Surface open_plate() {
   Mesh mesh = block(kSide, kSide, kHeight);
   const auto is_underside = [&mesh](const auto& triangle) {

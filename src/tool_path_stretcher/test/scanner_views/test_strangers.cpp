@@ -26,11 +26,11 @@ Surface scan_of(const Points& points) {
   return surface_from_cloud(points, Vector3d::Constant(kStep / 10), "scan");
 }
 
-/// The face of a part, z = 0, and a patch over it or under it in the scan of another one.
+/// The face of a part, z = 0, and a patch over or under it in the scan of another part.
 class AStranger : public testing::Test {
  protected:
   /// @param height [m] of the patch
-  /// @param is_seen the face itself, under the patch
+  /// @param is_seen whether the face itself was seen under the patch
   std::size_t points_beside_path(const Surface& reference, double height, const Points& seen_from,
                                  bool is_seen = false) const {
     Points points;

@@ -17,7 +17,7 @@ using Eigen::Vector3d;
 
 namespace {
 
-/// Every edge of a closed mesh is once of one triangle and once, the other way, of another.
+/// Whether every edge belongs to one triangle and, in the opposite direction, to another.
 bool is_closed(const Mesh& mesh) {
   using Key = std::array<long, 6>;  // [um] both ends
   const auto rounded = [](double metres) { return std::lround(1e6 * metres); };

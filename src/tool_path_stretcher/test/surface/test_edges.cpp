@@ -16,7 +16,8 @@ namespace {
 constexpr double kHalfLength = 0.1;  // [m] of the bar
 constexpr double kHalfWidth = 0.03;  // [m]
 
-/// A bar along x whose upper side leans and bulges to one side, so that no turn maps it to itself.
+/// A bar along x whose upper side leans and bulges to one side, so that no rotation maps it onto
+/// itself.
 double height(double y) {
   return 0.02 + 0.1 * y + 0.004 * std::exp(-std::pow((y - 0.012) / 0.006, 2));
 }
@@ -62,7 +63,7 @@ Surface surface_of(const Points& points) {
   return surface_from_cloud(points, StretchParameters().leaf, "cloud");
 }
 
-/// How many of the edges at the end of the bar towards +x face so.
+/// How many of the edges at the +x end of the bar face this way.
 std::size_t facing(const Rim& edges, const Vector3d& way) {
   std::size_t count = 0;
   for (std::size_t i = 0; i < edges.points.size(); ++i) {

@@ -66,7 +66,7 @@ TEST(GridReduction, LeavesTheMeanOfEachCell) {
 TEST(GridReduction, IsNotDefeatedByOneFarOutlier) {
   Points points = plane(100, 0.0005);  // 16 points a cell
   const std::size_t without = reduce_on_grid(points, kLeaf).size();
-  points.emplace_back(5000, -5000, 5000);  // pcl::VoxelGrid gives such a cloud back unreduced
+  points.emplace_back(5000, -5000, 5000);  // pcl::VoxelGrid returns such a cloud unreduced
   EXPECT_EQ(without, 625U);
   EXPECT_EQ(reduce_on_grid(points, kLeaf).size(), without + 1);
 }
@@ -80,7 +80,7 @@ TEST(GridReduction, RefusesWhatItCannotCount) {
 TEST(SpreadEvenly, TakesAsManyFromSparseAreasAsFromDenseOnes) {
   Points points = plane(50, 0.01);  // the half metre square at the origin
   for (const Eigen::Vector3d& point : plane(200, 0.0025))
-    points.push_back(point + Eigen::Vector3d(1, 0, 0));  // as large, sixteen times as dense
+    points.push_back(point + Eigen::Vector3d(1, 0, 0));  // equally large, sixteen times as dense
   const std::vector<std::size_t> chosen = spread_evenly(points, 1000);
   EXPECT_LE(chosen.size(), 1000U);
   EXPECT_GE(chosen.size(), 700U);
@@ -90,7 +90,7 @@ TEST(SpreadEvenly, TakesAsManyFromSparseAreasAsFromDenseOnes) {
 }
 
 TEST(MeshSurface, IsSampledByAreaNotByVertices) {
-  // Two triangles of 1 and 9 parts of the area, in planes of their own.
+  // Two triangles with areas in the ratio 1 : 9, in different planes.
   const auto mesh = mesh_of({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 2}, {3, 0, 2}, {0, 3, 2}},
                             {{0, 1, 2}, {3, 4, 5}});
   const Surface surface = surface_from_mesh(mesh, kLeaf, "mesh");

@@ -61,7 +61,7 @@ class CleanCloudByReference : public testing::Test {
                                  metres_per_unit);
   }
 
-  /// Exit code. There is no floor, and what is at an edge is to stay.
+  /// Runs the command and returns its exit code. There is no floor, and points at edges must stay.
   int clean(const std::string& scan, const std::string& options) const {
     const std::string command = std::string(CLEAN_CLOUD) + " --input " + file(scan) + " --output " +
                                 file("part.ply") + " --floor off --outliers off --grid off " +

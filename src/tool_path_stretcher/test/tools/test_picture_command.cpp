@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr int kWordsHigh = 90;  // rows of the picture that hold words
+constexpr int kWordsHigh = 90;  // rows of the picture with text
 
 const nlohmann::json kIdentity = {{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}};
 const nlohmann::json kHalfATurn = {
@@ -43,7 +43,7 @@ class PictureCommand : public testing::Test {
 
   std::string file(const std::string& name) const { return (folder_ / name).string(); }
 
-  /// As the action reports it: without files.
+  /// Writes a report like the action's: without files.
   void write_report(const std::string& verdict, const std::vector<int>& waypoints,
                     const nlohmann::json& candidates = nlohmann::json::array()) const {
     save_report(report_of(verdict, waypoints, candidates));
@@ -93,7 +93,7 @@ class PictureCommand : public testing::Test {
     return {{"name", record.name}, {"sha256", record.sha256}, {"units", record.units}};
   }
 
-  /// Pixels below the words.
+  /// Counts pixels below the text.
   /// @param is_so of blue, green, red
   template <class Is>
   int count_pixels(const Is& is_so) const {

@@ -45,7 +45,7 @@ class StretchCommand : public testing::Test {
 
   std::string file(const std::string& name) const { return (folder_ / name).string(); }
 
-  /// Exit code; files are given by name.
+  /// Runs the command and returns its exit code; files are given by name.
   int run(const std::string& reference, const std::string& object, const std::string& path,
           const std::string& more = "") const {
     return run_into("out.csv", "report.json", reference, object, path, more);

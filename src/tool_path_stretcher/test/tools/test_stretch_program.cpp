@@ -68,7 +68,7 @@ class StretchProgram : public testing::Test {
     return scan_cell_common::read_file(file(name));
   }
 
-  /// As a person wrote it, with what has nothing to do with poses.
+  /// As written by a person, with statements unrelated to poses.
   std::string program() const {
     std::string text =
         "def glue():\r\n  # nozzle 3,  do not touch\r\n  movej([0, -1.57, 1.57, -1.57, "
@@ -117,7 +117,7 @@ class StretchProgram : public testing::Test {
   ToolPath path_;
 };
 
-/// Without the numbers of poses.
+/// The script without the numbers of poses.
 std::string without_poses(const std::string& script) {
   return std::regex_replace(script, std::regex(R"(p\[[^\]]*\])"), "p[]");
 }
@@ -165,7 +165,7 @@ TEST_F(StretchProgram, WritesAnArcAsLinesWhereItMissesTheAdaptedPathAndSaysSo) {
   EXPECT_EQ(lines.find("# corner"), lines.rfind("# corner"));
   const auto old = poses_in(text("out.script")), poses = poses_in(lines);
   ASSERT_GT(poses.size(), old.size() + 1);
-  // more places along the arc adapt it a little otherwise
+  // more places along the arc adapt it slightly differently
   EXPECT_LT((poses.front().translation() - old.front().translation()).norm(), 1e-4);
   EXPECT_LT((poses.back().translation() - old.back().translation()).norm(), 1e-4);
   EXPECT_NE(text("stdout").find("arc.script, line 3: on the part this arc is no circle any more"),

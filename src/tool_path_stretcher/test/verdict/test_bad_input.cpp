@@ -21,7 +21,7 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kMillimetres = 1000;
 constexpr double kInches = 1 / 0.0254;
 
-/// A frame, the same turned and moved, and a path on it.
+/// A frame, the same frame rotated and moved, and a path on it.
 struct Input {
   Points reference;
   Points object;
@@ -46,7 +46,7 @@ const Input& good_input() {
   return input;
 }
 
-/// As the command and the action do: an error is a refusal, too.
+/// Runs like the command and the action: an error is a refusal too.
 StretchResult run(const Input& input, const StretchParameters& parameters = {}) {
   StretchResult result;
   try {
@@ -252,7 +252,7 @@ INSTANTIATE_TEST_SUITE_P(Clouds, BadInput, testing::ValuesIn(kClouds), name_of);
 INSTANTIATE_TEST_SUITE_P(Units, BadInput, testing::ValuesIn(kUnits), name_of);
 INSTANTIATE_TEST_SUITE_P(Paths, BadInput, testing::ValuesIn(kPaths), name_of);
 
-/// [m] Sums in another order are rounded otherwise, and a fit may come to rest a step sooner.
+/// [m] Sums in another order round differently, and a fit may converge a step sooner.
 constexpr double kRounded = 1e-5;
 
 TEST(OddInput, PointsThatOccurThriceChangeNothing) {

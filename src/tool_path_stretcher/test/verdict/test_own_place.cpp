@@ -11,7 +11,7 @@ using namespace tool_path_stretcher;
 
 namespace {
 
-/// A panel of 300 x 200 mm, and what lies about it.
+/// A panel of 300 x 200 mm and its surroundings.
 struct Scene {
   synthetic::Part part = synthetic::curved_panel();
   ToolPath path = synthetic::path_on(part, 100);
@@ -28,7 +28,8 @@ struct Scene {
     scan.insert(scan.end(), more.begin(), more.end());
   }
 
-  /// A flat rectangle [m] in the part's frame, level but for its turn, about as dense as the scan.
+  /// Adds a flat rectangle [m] in the part's frame, level except for its rotation, about as dense
+  /// as the scan.
   void add_plate(const Eigen::Vector3d& middle, double width, double depth,
                  const Eigen::Quaterniond& turn = Eigen::Quaterniond::Identity()) {
     constexpr double kDensity = 20000 / 0.06;  // [1/m^2]
@@ -60,7 +61,7 @@ struct Scene {
 
 TEST(OwnPlace, IsExplainedWhereClampsMakeUpAThirdOfTheScan) {
   Scene scene;
-  for (const double side : {-1.0, 1.0}) {            // upright, and so close that no gap parts them
+  for (const double side : {-1.0, 1.0}) {  // upright, and too close for a gap to separate them
     constexpr double kBeside = 0.143, kHigh = 0.15;  // [m]
     const double foot = scene.part.height(side * kBeside, 0);
     scene.add_plate({side * kBeside, 0, foot + kHigh / 2}, kHigh, 0.15,

@@ -8,7 +8,8 @@ using namespace tool_path_stretcher;
 
 namespace {
 
-/// Ten waypoints on a scanned surface. Two may be off by 6 mm along it; so may a third, in the air.
+/// Ten waypoints on a scanned surface. Two have an expected error of 6 mm along it, and so has a
+/// third, in the air.
 Placement placed() {
   Placement placement;
   placement.quality.resize(10);

@@ -12,7 +12,8 @@ using namespace tool_path_stretcher;
 
 namespace {
 
-/// A part of another size, its object bent in proportion. A larger one is scanned as densely.
+/// A part of another size with its object bent in proportion. A larger one is scanned equally
+/// densely.
 Case bent_frame(double size) {
   Case each;
   const Part frame = synthetic::photo_frame();
@@ -20,7 +21,7 @@ Case bent_frame(double size) {
   each.part.depth *= size;
   each.part.inside = [=](double x, double y) { return frame.inside(x / size, y / size); };
   each.part.height = [=](double x, double y) { return size * frame.height(x / size, y / size); };
-  // of its type: a product that Eigen has not worked out yet would outlive what it refers to
+  // explicit type: an unevaluated Eigen product would outlive its operands
   each.part.path_position = [=](double a) -> Eigen::Vector3d {
     return size * frame.path_position(a);
   };
@@ -41,7 +42,8 @@ TEST(RelativeLimits, AllowAPartOfAnySizeAsMuch) {
 }
 
 TEST(RelativeLimits, SayWhatTheyAreInMillimetres) {
-  // Variances of the frame between its outline and its opening, twice and once its own area [mm^2]
+  // Variances [mm^2] of the frame between its outline and its opening, which have twice and once
+  // the frame's area
   const double x = (2 * 200 * 200 - 150 * 150) / 12.0, y = (2 * 150 * 150 - 100 * 100) / 12.0;
   const double limit = 0.005 * 1.08 * std::sqrt(12 * (x + y));
   const auto said_after = [](const StretchResult& result, const std::string& before) {

@@ -14,7 +14,7 @@ using synthetic::Part;
 
 namespace {
 
-/// A frame that is its own image turned by 180 degrees; its path is not: process values tell.
+/// A frame with a 180 degree symmetry. Its path is not symmetric: the process values differ.
 struct SymmetricFrame {
   Part part = synthetic::photo_frame(0);
   Similarity moved = synthetic::similarity(
@@ -34,7 +34,7 @@ struct SymmetricFrame {
     return stretch(surface({}, 11), surface(moved, 1), path(), parameters);
   }
 
-  /// Where the path comes to lie with the part turned by 180 degrees first, or not.
+  /// The true path, with the part first turned by 180 degrees or not.
   ToolPath truth(bool turned) const {
     Similarity similarity = moved;
     if (turned) similarity.rotation *= Eigen::Vector3d(-1, -1, 1).asDiagonal();
@@ -61,7 +61,7 @@ double farthest(const Points& waypoints, const ToolPath& truth) {
   return most;
 }
 
-/// The mapping that presses x together to `share` of its length.
+/// The mapping that compresses x to `share` of its length.
 Mapping pressed(const Surface& reference, double share) {
   Mapping mapping{{}, DeformationGraph(reference.points, 0.04)};
   for (DeformationGraph::Node& node : mapping.graph.nodes()) {

@@ -30,7 +30,7 @@ Cloud::Ptr cloud_of(const Points& points, double scale) {
   return cloud;
 }
 
-/// [m] half the diagonal of the box around it
+/// [m] half the diagonal of the bounding box
 double extent_of(const Points& points) {
   Eigen::AlignedBox3d box;
   for (const Eigen::Vector3d& point : points)
@@ -79,7 +79,7 @@ Pose by_features(const Described& source, const Described& target, float leaf) {
   search.setSourceFeatures(source.features);
   search.setInputTarget(target.points);
   search.setTargetFeatures(target.features);
-  search.setMaximumIterations(20000);  // of the tutorial's 50,000: time
+  search.setMaximumIterations(20000);  // instead of the tutorial's 50,000, to save time
   search.setNumberOfSamples(3);
   search.setCorrespondenceRandomness(5);
   search.setSimilarityThreshold(0.95F);

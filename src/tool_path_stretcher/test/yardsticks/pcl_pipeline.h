@@ -6,7 +6,7 @@
 
 namespace cases {
 
-/// What PCL's own tools make of a case, and whether they say that it went well.
+/// The result of PCL's own tools for a case, and whether they report success.
 struct PclResult {
   ToolPath path;
   bool converged = false;
@@ -16,10 +16,10 @@ struct PclResult {
 /// A public yardstick: the size from the clouds' extents, the pose from FPFH features and
 /// pcl::SampleConsensusPrerejective as in PCL's tutorial "Robust pose estimation of rigid objects"
 /// (its settings scaled to the part), refined by pcl::IterativeClosestPoint with free scale; the
-/// path is carried over by the transform. Its only gate is hasConverged().
+/// transform moves the path. Its only check is hasConverged().
 PclResult pcl_pipeline(const Points& reference, const Points& object, const ToolPath& path);
 
-/// pcl::IterativeClosestPoint with free scale from where the clouds lie.
+/// pcl::IterativeClosestPoint with free scale, starting from where the clouds lie.
 PclResult pcl_icp(const Points& reference, const Points& object, double max_distance);
 
 }  // namespace cases

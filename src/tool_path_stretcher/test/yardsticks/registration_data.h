@@ -11,8 +11,8 @@ namespace cases {
 using tool_path_stretcher::Points;
 using tool_path_stretcher::Similarity;
 
-/// Two clouds and how the second lies to the first. Where no point was added or moved, points of
-/// the same index are the same.
+/// Two clouds and the pose of the second relative to the first. Points with the same index
+/// correspond, unless points were added or moved.
 struct Pair {
   Points reference;
   Points object;
@@ -21,10 +21,10 @@ struct Pair {
 
 bool has_registration_data(const std::string& data);
 
-/// A real lidar cloud, and the same scaled by 1.04 and rotated by 0.2 rad (libpointmatcher's
-/// examples); the truth is fitted to the points, row by row.
+/// A real lidar cloud, and the same cloud scaled by 1.04 and rotated by 0.2 rad (libpointmatcher's
+/// examples). The truth is fitted to the points, row by row.
 /// @param data folder with registration/car
-/// @throw std::runtime_error if it holds no such clouds
+/// @throw std::runtime_error if it has no such clouds
 Pair car_pair(const std::string& data);
 
 /// The Stanford bunny as in TEASER's example: moved, with uniform noise of up to 0.0005; then draws

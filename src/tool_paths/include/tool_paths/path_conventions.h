@@ -11,16 +11,16 @@
 
 namespace tool_paths {
 
-/// Of the angles in a file.
+/// Unit of the angles in a file.
 enum class AngleUnit { kNotGiven, kDegrees, kRadians };
 
-/// What a person says of a tool path's file where the names in it leave it open.
+/// What the user specifies about a tool path's file where its names are ambiguous.
 struct PathConventions {
-  std::string units;                        //!< m, mm or inch; empty: as the names say, else metres
-  std::string euler;                        //!< order of the axes of Euler angles, such as zyx
-  bool rotation_vector = false;             //!< three angles are one turn: its axis times its angle
+  std::string units;             //!< m, mm or inch; empty: from the names, else metres
+  std::string euler;             //!< order of the axes of Euler angles, such as zyx
+  bool rotation_vector = false;  //!< the three numbers are one rotation: axis times angle
   AngleUnit angles = AngleUnit::kNotGiven;  //!< of Euler angles and rotation vectors
-  std::vector<std::string> process_values;  //!< names that are no orientation, though they look so
+  std::vector<std::string> process_values;  //!< names that look like an orientation but are none
 };
 
 /// How orientations are written.
@@ -29,7 +29,8 @@ enum class OrientationKind {
   kQuaternion,
   kEuler,
   kRotationVector,
-  kToolVector,  //!< the tool's axis alone: the rotation's z axis, its spin means nothing
+  kToolVector,  //!< the tool's axis alone: the rotation's z axis; the rotation about it has no
+                //!< meaning
 };
 
 /// How the numbers of a pose are written.
@@ -37,42 +38,42 @@ struct PoseConvention {
   std::array<std::string, 3> position = {"x", "y", "z"};  //!< names
   std::string units = "m";                                //!< of lengths: m, mm or inch
   OrientationKind orientation = OrientationKind::kNone;   //!< how it is written
-  std::vector<std::string> names;  //!< x y z w; angles in the order of their turns; or x y z
+  std::vector<std::string> names;  //!< x y z w; angles in order of rotation; or x y z
   std::string euler;               //!< order of the axes
   bool degrees = false;            //!< of the angles; false: radians
 };
 
 struct YamlShape;
 
-/// How a file writes a tool path, so that another path can be written alike.
+/// How a file writes a tool path, so that another path can be written the same way.
 struct PathLayout {
   PoseConvention pose;                    //!< names, units and orientation
   std::vector<std::string> columns;       //!< of a CSV file
-  std::string segment_column;             //!< of a CSV file; empty: it has none
-  std::shared_ptr<const YamlShape> yaml;  //!< of a YAML file: all that is in it
-  std::vector<std::string> kept;          //!< keys in YAML that are no part of the path, kept
+  std::string segment_column;             //!< of a CSV file; empty: none
+  std::shared_ptr<const YamlShape> yaml;  //!< of a YAML file: its full contents
+  std::vector<std::string> kept;          //!< other keys in YAML, which are kept
 };
 
-/// A tool path [m] and how its file writes it.
+/// A tool path [m] and the layout of its file.
 struct ToolPathFile {
   ToolPath path;      //!< [m]
   PathLayout layout;  //!< of the file
 };
 
-/// What a tool path was understood to hold.
+/// The contents of a tool path as understood.
 struct PathContents {
   std::size_t waypoints = 0;                //!< of all segments
   std::size_t segments = 0;                 //!< of the path
-  std::string orientations;                 //!< which kind, in words; "none"
+  std::string orientations;                 //!< the kind, in words, or "none"
   std::string units;                        //!< of lengths: m, mm or inch
   std::vector<std::string> process_values;  //!< their names
   std::vector<std::string> kept;            //!< as in PathLayout
 };
 
-/// What a path holds, in words for a person.
+/// The contents of a path, in words for a person.
 PathContents contents_of(const ToolPath& path, const PathLayout& layout = {});
 
-/// In a line for a person.
+/// One line for a person.
 std::string to_string(const PathContents& contents);
 
 }  // namespace tool_paths

@@ -12,18 +12,18 @@ class App;
 
 namespace tool_paths {
 
-/// Options of a tool about what a path's file does not say of itself.
+/// Options of a command for what a path's file does not tell.
 struct PathOptions {
   bool degrees = false;         //!< angles in the path
   bool radians = false;         //!< angles in the path
-  PathConventions conventions;  //!< as they are typed
+  PathConventions conventions;  //!< as typed
 
-  /// All that was typed.
-  /// @param units of the path: m, mm or inch; empty: as its names say, else metres
+  /// All conventions as typed.
+  /// @param units of the path: m, mm or inch; empty: from its names, else metres
   PathConventions typed(const std::string& units) const;
 };
 
-/// How orientations are written; units are up to the tool.
+/// Adds the options for orientations. Options for units are left to the tool.
 void add_path_options(CLI::App& app, PathOptions& options);
 
 }  // namespace tool_paths

@@ -11,7 +11,7 @@ inline bool names(const std::string& text, const std::string& word) {
   return text.find(word) != std::string::npos;
 }
 
-/// What a reader says of a text that it cannot use; empty: it can.
+/// The error of a reader for a text that it cannot use; empty if it can.
 template <class Read>
 std::string complaint_of(const Read& read) {
   try {

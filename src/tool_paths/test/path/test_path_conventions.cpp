@@ -60,12 +60,12 @@ Eigen::Matrix3d about_z(double degrees) {
   return turn(degrees, Eigen::Vector3d::UnitZ());
 }
 
-/// What the path is refused with; empty: it is not.
+/// The error with which the path is refused; empty if it is not.
 std::string complaint(const std::string& text, const PathConventions& conventions = {}) {
   return complaint_of([&] { parse_tool_path_csv(text, "path.csv", conventions); });
 }
 
-/// The whole path moved by a motion, as an adapted path is.
+/// The whole path moved by a motion, like an adapted path.
 ToolPath moved(ToolPath path, const Eigen::Isometry3d& motion) {
   for (Segment& segment : path.segments) {
     for (Waypoint& waypoint : segment.waypoints)
@@ -82,7 +82,7 @@ std::vector<double> numbers_in(const std::string& line) {
   return numbers;
 }
 
-/// The last line of a path read, moved and written.
+/// The last line of a path that was read, moved and written.
 std::vector<double> last_line_moved(const std::string& text, const PathConventions& conventions,
                                     const Eigen::Isometry3d& motion) {
   const ToolPathFile file = parse_tool_path_csv(text, "path", conventions);

@@ -80,7 +80,7 @@ ToolPath lifted(ToolPath path) {
   return path;
 }
 
-/// Each leaf of a document with the way to it.
+/// Lists each leaf of a document with the path to it.
 void list_leaves(const YAML::Node& node, const std::string& way,
                  std::vector<std::pair<std::string, std::string>>& leaves) {
   if (node.IsMap()) {

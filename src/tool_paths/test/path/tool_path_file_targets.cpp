@@ -57,7 +57,7 @@ const char* const kEdits =
     "  - delete: {waypoints: [2, 2]}\n  - add: {after: 1, share: 0.25}\n"
     "  - set: {waypoints: [0, 3], values: {speed: 0.02, \"air\": 1}}\n";
 
-/// @param layout of what was written
+/// @param layout of the written file
 void check_same(const ToolPath& path, const ToolPath& again, const PathLayout& layout) {
   const bool to_the_last_digit = layout.pose.units == "m";
   const bool axis_alone = layout.pose.orientation == OrientationKind::kToolVector;
@@ -84,15 +84,15 @@ void check_same(const ToolPath& path, const ToolPath& again, const PathLayout& l
   }
 }
 
-/// What was read can be used, and written, and comes back: in its own shape, and in that of a new
-/// file.
+/// A path that was read can be used and written, and reads back: in its own layout and in that of a
+/// new file.
 template <class Write, class Read>
 void check_path(const std::string& bytes, Read read, Write write,
                 const PathConventions& conventions) {
   const ToolPathFile file = read(bytes, "f", conventions);
   check(file.path);
   promise(!to_string(contents_of(file.path, file.layout)).empty(), "it says what is in it");
-  constexpr std::size_t kAliases = 100000;  // a small text can stand for a long path
+  constexpr std::size_t kAliases = 100000;  // a small text can expand to a long path
   if (waypoint_count(file.path) > kAliases) return;
   check_same(file.path, read(write(file.path, file.layout), "written", conventions).path,
              file.layout);
@@ -100,7 +100,7 @@ void check_path(const std::string& bytes, Read read, Write write,
              PathLayout{});
 }
 
-/// What was read comes back, and is done to a path whole or refused.
+/// Edits that were read read back, and are applied to a path completely or refused.
 void check_edits(const std::string& bytes) {
   const std::vector<PathEdit> edits = parse_path_edits(bytes, "f");
   const std::vector<PathEdit> back = parse_path_edits(to_yaml(edits), "written");

@@ -6,5 +6,5 @@
 
 #include "scan_cell_common/testing/fuzzing.h"
 
-/// The readers of tool paths, and what makes surfaces of clouds and meshes, for the fuzzers.
+/// The readers of tool paths and path edits, for the fuzzers.
 std::vector<scan_cell_common::FuzzTarget> tool_path_file_targets();

@@ -18,7 +18,7 @@ std::vector<bool> where(const Cloud& cloud, const Test& test) {
   return in;
 }
 
-/// Two axes of the picture that somebody sees who looks along -towards.
+/// The two axes of the picture seen when looking along -towards.
 Eigen::Matrix<double, 2, 3> picture_axes(const Eigen::Vector3d& towards) {
   Eigen::Matrix<double, 2, 3> axes;
   axes.row(0) = towards.unitOrthogonal().transpose();
@@ -26,8 +26,8 @@ Eigen::Matrix<double, 2, 3> picture_axes(const Eigen::Vector3d& towards) {
   return axes;
 }
 
-/// Even-odd rule: a ray along +x from the point crosses an odd number of edges. An edge has its
-/// lower end and not its upper one, so that a corner counts once.
+/// Even-odd rule: a ray along +x from the point crosses an odd number of edges. An edge includes
+/// its lower end but not its upper one, so that a corner counts once.
 bool is_in_polygon(const std::vector<Eigen::Vector2d>& corners, const Eigen::Vector2d& point) {
   bool inside = false;
   for (std::size_t i = 0, before = corners.size() - 1; i < corners.size(); before = i++) {

@@ -8,7 +8,7 @@
 
 namespace cloud_preprocess {
 
-/// Which points lie in a shape, one a point.
+/// Whether each point lies in a shape.
 std::vector<bool> points_in(const Cloud& cloud, const BoxShape& box);
 std::vector<bool> points_in(const Cloud& cloud, const HalfSpace& half);
 std::vector<bool> points_in(const Cloud& cloud, const PrismShape& prism);

@@ -13,8 +13,8 @@
 namespace cloud_preprocess {
 namespace {
 
-/// Points around which the surface is level: without them the walls of a box would look like a
-/// stack of thin floors.
+/// Points where the surface is level. Otherwise the walls of a box would look like a stack of thin
+/// floors.
 OrientedPoints level_points(const OrientedPoints& points, double tilt) {
   constexpr double kNoise = 0.25;  // [rad] of a normal from few points; chosen
   const double min_z = std::cos(tilt + kNoise);
@@ -25,7 +25,7 @@ OrientedPoints level_points(const OrientedPoints& points, double tilt) {
   return points.only(level);
 }
 
-/// Where the points begin and end along an axis, without the outermost few.
+/// The range of the points along an axis, without the outermost few.
 std::array<double, 2> extent(const OrientedPoints& points, Eigen::Index axis) {
   constexpr double kOutermost = 0.005;  // of the points, at either end; chosen
   std::vector<double> values(points.points.row(axis).begin(), points.points.row(axis).end());
@@ -34,7 +34,8 @@ std::array<double, 2> extent(const OrientedPoints& points, Eigen::Index axis) {
   return {values[skip], values[values.size() - 1 - skip]};
 }
 
-/// A flat inside a frame does not come near the edge of what was scanned on any side.
+/// Whether a plane comes near the edge of the scan on any side. A flat face inside a frame does
+/// not.
 bool reaches_edge(const OrientedPoints& part, const OrientedPoints& whole) {
   constexpr double kNear = 0.02;  // of the whole's extent; chosen
   for (const Eigen::Index axis : {0, 1}) {
@@ -54,7 +55,7 @@ OrientedPoints points_below(const OrientedPoints& points, const Plane& plane, do
   return points.only(below);
 }
 
-/// The floor of a sample whose z is up.
+/// The floor of a sample with z up.
 std::optional<Floor> find_level_floor(const OrientedPoints& sample,
                                       const FloorParameters& parameters) {
   const std::size_t min_points = min_points_of(sample, parameters);

@@ -11,22 +11,23 @@
 namespace cloud_preprocess {
 
 struct Floor {
-  Plane plane;         //!< its normal is upwards
-  std::size_t points;  //!< of the sample, on it
+  Plane plane;         //!< with its normal upwards
+  std::size_t points;  //!< points of the sample on it
 };
 
-/// The floor as FloorRemoval describes it; none if the cloud shows none.
-/// @param up of length 1
+/// The floor as defined by FloorRemoval; none if the cloud shows none.
+/// @param up unit length
 std::optional<Floor> find_floor(const OrientedPoints& sample, const Eigen::Vector3d& up,
                                 const FloorParameters& parameters);
 
-/// The plane in any direction that looks like a table: nothing lies behind it, and it reaches
-/// beyond most of what lies before it without lying below that. So none of the sides of a box is
-/// one.
+/// The plane in any direction that looks like a table: nothing lies behind it, and it extends
+/// beyond most of what is in front of it and is mostly not covered by that. So no side of a box
+/// qualifies.
 std::optional<Floor> find_table(const OrientedPoints& sample, const FloorParameters& parameters);
 
-/// How many points each object of the sample has, the largest first: clusters that are 10 mm, and
-/// clearly more than their points, apart from each other, each with a floor's least share.
+/// The number of points of each object in the sample, largest first. Objects are clusters at least
+/// 10 mm apart, and clearly farther apart than their points, each with at least a floor's least
+/// share.
 std::vector<std::size_t> find_objects(const OrientedPoints& sample,
                                       const FloorParameters& parameters);
 

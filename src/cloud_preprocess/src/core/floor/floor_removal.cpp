@@ -39,7 +39,7 @@ int percent(std::size_t points, const OrientedPoints& sample) {
       std::lround(100 * static_cast<double>(points) / static_cast<double>(sample.size())));
 }
 
-/// Whether a limit has cut something off on the side where the floor is.
+/// Whether a limit has cut something off on the floor's side.
 bool cuts_floor(const Cloud& cloud, const Limits& limits, const Eigen::Vector3d& up) {
   Eigen::Index axis = 0;
   up.cwiseAbs().maxCoeff(&axis);
@@ -82,15 +82,15 @@ constexpr const char* kNoFloorHere =
                   kNoFloorHere));
 }
 
-/// Whether a larger table in another direction shows that what was found is not the floor: where
-/// the table stands on its side, the lowest face of the part looks like a floor.
+/// Whether a larger table in another direction shows that the plane found is not the floor. If the
+/// table stands on its side, the lowest face of the part looks like a floor.
 bool contradicts(const Floor& table, const std::optional<Floor>& floor) {
   constexpr double kOtherDirection = 0.17;  // [rad] 10 degrees; chosen
   return !floor || (angle_between(table.plane.normal, floor->plane.normal) > kOtherDirection &&
                     table.points > floor->points);
 }
 
-/// The floor; none where there is none, and nothing that could be one.
+/// The floor; none if there is none and nothing could be one.
 std::optional<Plane> floor_of(const OrientedPoints& sample, const FloorParameters& parameters,
                               bool is_cut) {
   const Eigen::Vector3d up = parameters.up.normalized();

@@ -13,7 +13,7 @@ inline std::size_t share_of(const OrientedPoints& sample, double share) {
   return static_cast<std::size_t>(share * static_cast<double>(sample.size()));
 }
 
-/// Points that a floor must have.
+/// Number of points that a floor must have.
 inline std::size_t min_points_of(const OrientedPoints& sample, const FloorParameters& parameters) {
   constexpr std::size_t kMinPoints = 50;  // chosen
   return std::max(kMinPoints, share_of(sample, parameters.min_share));

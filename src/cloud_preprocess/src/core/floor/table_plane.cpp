@@ -14,7 +14,7 @@
 namespace cloud_preprocess {
 namespace {
 
-/// Points in the directions of a plane [m].
+/// Points in the coordinates of a plane [m].
 Eigen::Matrix2Xd flattened(const OrientedPoints& sample, const std::vector<Eigen::Index>& indices,
                            const Plane& plane) {
   const Eigen::Vector3d along = plane.normal.unitOrthogonal();
@@ -24,11 +24,11 @@ Eigen::Matrix2Xd flattened(const OrientedPoints& sample, const std::vector<Eigen
   return axes * (sample.points(Eigen::all, indices).colwise() - plane.point);
 }
 
-/// What a plane's points cover: a convex outline, without the outermost few of them, and the cells
-/// of a grid in it.
+/// The area covered by a plane's points: a convex outline, without the outermost few, and the grid
+/// cells in it.
 class Footprint {
  public:
-  /// @param spacing [m] of neighbouring points
+  /// @param spacing [m] between neighbouring points
   Footprint(const Eigen::Matrix2Xd& points, double spacing) {
     constexpr double kOutermost = 0.005;  // of the points in each direction; chosen
     for (std::size_t i = 0; i < kDirections; ++i) {
@@ -45,14 +45,14 @@ class Footprint {
     const double depth = reach_[kDirections / 4] + reach_[3 * kDirections / 4];
     constexpr double kWithin = 0.02;  // of the width; chosen
     rim_ = kWithin * std::max(width, depth);
-    constexpr double kSpacings = 6;   // some ten points a cell; chosen
+    constexpr double kSpacings = 6;   // about ten points per cell; chosen
     constexpr double kFinest = 1e-3;  // of the width; chosen
     side_ = std::max(kSpacings * spacing, kFinest * std::max(width, depth));
     for (const auto& point : points.colwise())
       cells_.insert(cell_of(point));
   }
 
-  /// Clearly inside the outline.
+  /// Whether a point is clearly inside the outline.
   bool surrounds(const Eigen::Vector2d& point) const {
     for (std::size_t i = 0; i < kDirections; ++i) {
       if (directions_[i].dot(point) > reach_[i] - rim_) return false;
@@ -85,7 +85,7 @@ class Footprint {
   std::set<Cell> cells_;
 };
 
-/// What lies on either side of a plane.
+/// The points on either side of a plane.
 struct Sides {
   std::vector<Eigen::Index> above;  // by more than the margin
   std::size_t below = 0;
@@ -104,8 +104,8 @@ Sides sides_of(const Plane& plane, const OrientedPoints& sample,
 
 bool looks_like_table(const FoundPlane& found, const OrientedPoints& sample,
                       const FloorParameters& parameters) {
-  constexpr double kMinOnIt = 0.005;    // of the sample; chosen, as the next
-  constexpr double kSurrounded = 0.75;  // of what lies before it: a rim's plane surrounds less
+  constexpr double kMinOnIt = 0.005;    // of the sample; chosen, like the next
+  constexpr double kSurrounded = 0.75;  // of what is in front: a rim's plane surrounds less
   constexpr double kMaxCovered = 0.5;   // of the plane: the far side of a plate covers it
   const Sides sides = sides_of(found.plane, sample, parameters);
   if (sides.below > share_of(sample, parameters.max_below)) return false;

@@ -8,12 +8,12 @@
 
 namespace cloud_preprocess {
 
-/// Points that can be reached from one of them by steps of at most `gap` [m], that one first.
-/// @param seen one a point; those that are seen already are left out, and these are seen then
+/// Points that can be reached from one point by steps of at most `gap` [m], that point first.
+/// @param seen one per point; points already seen are left out, and those found are marked as seen
 std::vector<KdTree::Index> cluster_of(const scan_cell_common::Cloud& points, const KdTree& tree,
                                       double gap, KdTree::Index start, std::vector<bool>& seen);
 
-/// Points that can be reached from each other by steps of at most `gap` [m], cluster by cluster.
+/// Clusters of points connected by steps of at most `gap` [m].
 std::vector<std::vector<KdTree::Index>> clusters(const scan_cell_common::Cloud& points, double gap);
 
 }  // namespace cloud_preprocess

@@ -10,7 +10,7 @@ namespace {
 using scan_cell_common::Grid;
 using scan_cell_common::GridEntry;
 
-constexpr double kMaxCells = 1 << 20;  // chosen: a part of 2 m has 4000 cells of 0.5 mm
+constexpr double kMaxCells = 1 << 20;  // a part of 2 m has 4000 cells of 0.5 mm; chosen
 
 auto positions_of(const scan_cell_common::Cloud& cloud) {
   return [&cloud](std::size_t i) -> Eigen::Vector3d {

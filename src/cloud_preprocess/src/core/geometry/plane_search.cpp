@@ -15,7 +15,7 @@
 namespace cloud_preprocess {
 namespace {
 
-constexpr std::size_t kSamplePoints = 20000;  // chosen: keeps the search well below a second
+constexpr std::size_t kSamplePoints = 20000;  // keeps the search well below a second; chosen
 constexpr double kNormalNoise = 0.35;         // [rad] of a normal from few points; chosen
 
 /// Least-squares plane; the normal is on the axis' side.
@@ -53,8 +53,7 @@ class Ransac {
   }
 
  private:
-  /// A plane through three points at random; none where they, or their normals, do not belong
-  /// together.
+  /// A plane through three random points; none if they, or their normals, do not fit together.
   std::optional<Plane> draw() {
     std::array<Eigen::Index, 3> chosen{};
     for (Eigen::Index& index : chosen)
@@ -74,9 +73,9 @@ class Ransac {
     return plane;
   }
 
-  /// Counts the inliers; the more there are, the fewer draws find a plane as good.
+  /// Counts the inliers. The more there are, the fewer draws are needed to find a plane as good.
   void count(const Plane& plane) {
-    constexpr double kMiss = 1e-4;  // probability that the best plane was not hit; chosen
+    constexpr double kMiss = 1e-4;  // probability of missing the best plane; chosen
     const auto heights =
         (plane.normal.transpose() * points_.points).array() - plane.normal.dot(plane.point);
     const Eigen::Index found = (heights.abs() <= search_.distance).count();
@@ -121,7 +120,7 @@ OrientedPoints sample_with_normals(const Cloud& cloud) {
   Cloud chosen;
   std::mt19937 generator(1);
   std::sample(cloud.begin(), cloud.end(), std::back_inserter(chosen), kSamplePoints, generator);
-  constexpr std::size_t kNeighbours = 10;  // the point itself is one; chosen
+  constexpr std::size_t kNeighbours = 10;  // includes the point itself; chosen
   const KdTree tree(chosen);
   std::vector<KdTree::Index> indices(std::min(kNeighbours, chosen.size()));
   std::vector<float> squared(indices.size());

@@ -11,19 +11,19 @@
 namespace cloud_preprocess {
 
 struct Plane {
-  Eigen::Vector3d point;   //!< [m] the middle of its points
+  Eigen::Vector3d point;   //!< [m] mean of its points
   Eigen::Vector3d normal;  //!< of length 1
 
-  /// [m] above the plane
+  /// [m] height above the plane
   double height(const Eigen::Vector3d& of) const { return normal.dot(of - point); }
   double height(const pcl::PointXYZ& of) const {
     return height(of.getVector3fMap().cast<double>());
   }
 };
 
-/// Points of a cloud with the normals of the surface there, whose signs mean nothing.
+/// Points of a cloud with the surface's normals, whose signs are arbitrary.
 struct OrientedPoints {
-  Eigen::Matrix3Xd points;   //!< [m] a column each
+  Eigen::Matrix3Xd points;   //!< [m] one per column
   Eigen::Matrix3Xd normals;  //!< of length 1
   double spacing = 0;        //!< [m] median distance to the nearest neighbour
 
@@ -31,23 +31,23 @@ struct OrientedPoints {
   OrientedPoints only(const std::vector<Eigen::Index>& indices) const;
 };
 
-/// At most 20,000 points of a cloud, chosen at random but always the same.
+/// At most 20,000 points of a cloud, chosen at random with a fixed seed.
 OrientedPoints sample_with_normals(const Cloud& cloud);
 
-/// Which planes are looked for.
+/// Specifies the planes to look for.
 struct PlaneSearch {
-  double distance = 0;                              //!< [m] of its points from it
+  double distance = 0;                              //!< [m] greatest distance of its points
   Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();  //!< of length 1
-  double tilt = 0;  //!< [rad] of its normal from the axis, at most; above pi/2: any
+  double tilt = 0;  //!< [rad] greatest angle of its normal from the axis; above pi/2: any
 };
 
 struct FoundPlane {
-  Plane plane;                        //!< its normal is on the axis' side
-  std::vector<Eigen::Index> inliers;  //!< in rising order
+  Plane plane;                        //!< with its normal on the axis' side
+  std::vector<Eigen::Index> inliers;  //!< ascending
 };
 
 /// The plane with the most points whose normals agree with its own, by RANSAC (Fischler and Bolles
-/// 1981) with a fixed seed and a least-squares fit to what it finds.
+/// 1981) with a fixed seed and a least-squares fit to its inliers.
 std::optional<FoundPlane> largest_plane(const OrientedPoints& points, const PlaneSearch& search);
 
 }  // namespace cloud_preprocess

@@ -45,7 +45,7 @@ std::string text_of(const Cloud& cloud, const PointIndices& points) {
 
 [[noreturn]] void refuse_none(const Cloud& cloud, std::vector<PointIndices> objects,
                               const std::string& why, const std::string& file) {
-  constexpr std::size_t kMost = 4;  // to be named; chosen
+  constexpr std::size_t kMost = 4;  // named; chosen
   std::stable_sort(objects.begin(), objects.end(),
                    [](const auto& one, const auto& other) { return one.size() > other.size(); });
   std::string places;
@@ -69,7 +69,7 @@ std::string text_of(const Cloud& cloud, const PointIndices& points) {
       "index");
 }
 
-/// What is near to a part, or stands over it.
+/// Finds points near a part or over it.
 class Beside {
  public:
   /// @param floor may be null

@@ -19,7 +19,7 @@
 namespace cloud_preprocess {
 namespace {
 
-/// @return how many points went
+/// @return number of points removed
 std::size_t keep(TracedCloud& cloud, const GridCells& grid, const Object& object) {
   std::vector<bool> of_object(grid.means.size(), false);
   for (const KdTree::Index cell : object.cells)
@@ -30,11 +30,11 @@ std::size_t keep(TracedCloud& cloud, const GridCells& grid, const Object& object
 struct Found {
   GridCells grid;
   std::vector<Object> objects;  // along the axis
-  std::size_t joined = 0;       // pieces, to others
+  std::size_t joined = 0;       // pieces joined to others
 };
 
 Found find(const TracedCloud& cloud, const IsolationParameters& parameters) {
-  // Cells much smaller than the gap stand for their points: a hundred times fewer steps.
+  // Cells much smaller than the gap represent their points: a hundred times fewer steps.
   constexpr double kCellsAGap = 4;  // chosen
   Found found;
   found.grid =
@@ -76,7 +76,7 @@ float middle_along(const TracedCloud& object, Axis axis) {
          2;
 }
 
-/// The object kept, and what is left of the others, along the axis.
+/// The object kept, and the rest of the others, along the axis.
 std::vector<TracedCloud> beside(std::vector<TracedCloud> objects, const TracedCloud& kept,
                                 const IsolationParameters& parameters) {
   std::vector<std::uint32_t> sources = kept.sources();

@@ -34,7 +34,7 @@ double squared_distance(const Object& object, const Cloud& cells, const Eigen::V
   return least;
 }
 
-/// Index of the object with the least value.
+/// Index of the object with the smallest value.
 template <class Value>
 std::size_t least(const std::vector<Object>& objects, const Value& value) {
   const auto found =

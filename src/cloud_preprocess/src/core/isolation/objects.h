@@ -10,23 +10,23 @@
 
 namespace cloud_preprocess {
 
-/// A cluster of a grid's cells, and so of points.
+/// A cluster of a grid's cells, and thus of points.
 struct Object {
   std::vector<KdTree::Index> cells;
   std::size_t points = 0;
 };
 
-/// The clusters with `min_points` or more.
+/// The clusters with at least `min_points` points.
 /// @param gap [m]
 /// @throw scan_cell_common::UnusableInput if there is none
 std::vector<Object> find_objects(const GridCells& grid, double gap, int min_points);
 
-/// Puts them in the order of the middles of their extents along the axis.
+/// Sorts the objects by the middle of their extent along the axis.
 void sort_along(std::vector<Object>& objects, const Cloud& cells, Axis axis);
 
 /// @param objects along the axis
-/// @return index of the one that is asked for
-/// @throw scan_cell_common::UnusableInput if there are not so many
+/// @return index of the requested object
+/// @throw scan_cell_common::UnusableInput if there are too few objects
 std::size_t choose(const std::vector<Object>& objects, const Cloud& cells,
                    const IsolationParameters& parameters);
 

@@ -8,10 +8,10 @@
 
 namespace cloud_preprocess {
 
-/// Points laid flat on the floor, as seen along its normal.
+/// Projects points onto the floor along its normal.
 class PlanView {
  public:
-  /// @param up of length 1
+  /// @param up unit length
   explicit PlanView(const Eigen::Vector3f& up)
       : along_(up.unitOrthogonal()), across_(up.cross(along_)) {}
 

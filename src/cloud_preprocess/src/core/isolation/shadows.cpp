@@ -17,14 +17,14 @@ class OpenFloor {
  public:
   OpenFloor(const SeenFloor& floor, const PlanView& plan, double gap)
       : gap_(static_cast<float>(gap)) {
-    constexpr double kCellsAGap = 8;  // chosen: half of the radius within which it is looked for
+    constexpr double kCellsAGap = 8;  // half of the radius within which it is searched; chosen
     points_ = sort_into_grid(floor.points, Eigen::Vector3d::Constant(gap / kCellsAGap)).means;
     for (pcl::PointXYZ& point : points_)
       point = plan(point);
     tree_ = std::make_unique<const KdTree>(points_);
   }
 
-  /// Whether the way shows the floor for as long as the gap between two objects.
+  /// Whether the line shows the floor over a length of the gap between two objects.
   bool parts(const pcl::PointXYZ& from, const pcl::PointXYZ& to) const {
     constexpr float kStepsAGap = 8;  // chosen
     const Eigen::Vector3f way = to.getVector3fMap() - from.getVector3fMap();
@@ -41,7 +41,7 @@ class OpenFloor {
   }
 
  private:
-  /// Lines of a scan may be half a gap apart.
+  /// Scan lines may be half a gap apart.
   bool is_seen(const Eigen::Vector3f& at) const {
     KdTree::Index nearest = 0;
     float squared = std::numeric_limits<float>::infinity();
@@ -95,7 +95,7 @@ bool belong_together(const Cloud& one, const Cloud& other, float reach, float ga
   return 2 * parted < facing;
 }
 
-/// Of each object the first one of its group.
+/// For each object, the first object of its group.
 std::vector<std::size_t> groups_of(const std::vector<Object>& objects, const Cloud& cells,
                                    const SeenFloor& floor, double gap) {
   constexpr float kSteepest = 1.7F;  // tangent of 60 degrees between line of sight and normal

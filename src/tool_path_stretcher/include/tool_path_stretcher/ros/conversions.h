@@ -10,7 +10,7 @@
 namespace tool_path_stretcher {
 
 /// @throw scan_cell_common::UnusableInput naming a waypoint that is not finite or whose orientation
-/// is no unit quaternion
+/// is not a unit quaternion
 ToolPath from_message(const scan_cell_msgs::ToolPath& message);
 
 scan_cell_msgs::ToolPath to_message(const ToolPath& path, const std_msgs::Header& header);

@@ -9,7 +9,7 @@
 namespace scanner_views {
 namespace {
 
-/// Seeds of draws that have nothing to do with each other (Steele et al. 2014, SplitMix64).
+/// Seeds for independent draws (Steele et al. 2014, SplitMix64).
 std::uint64_t scrambled(std::uint64_t seed, std::uint64_t what) {
   std::uint64_t bits = seed * 0x9E3779B97F4A7C15ULL + what;
   bits = (bits ^ (bits >> 30U)) * 0xBF58476D1CE4E5B9ULL;
@@ -17,7 +17,7 @@ std::uint64_t scrambled(std::uint64_t seed, std::uint64_t what) {
   return bits ^ (bits >> 31U);
 }
 
-/// Numbers the cases of one list: each has draws of its own.
+/// Numbers the cases of one list. Each has its own draws.
 class List {
  public:
   explicit List(std::uint64_t seed) : seed_(seed) {}
@@ -37,7 +37,7 @@ class List {
   std::uint64_t count_ = 0;
 };
 
-/// What must not be accepted.
+/// Adds the cases that must not be accepted.
 void add_refusals(const std::vector<ViewPart>& parts, std::uint64_t seed, List& list) {
   Draws draws(scrambled(seed, 0));
   const std::vector<ViewPart> variant = {bracket_variant(draws)};

@@ -10,8 +10,8 @@
 
 namespace scanner_views {
 
-/// All cases of a seed: dimensions, poses, deformations, views and paths are drawn. Real parts are
-/// among them where `data` holds them.
+/// All cases of a seed, with random dimensions, poses, deformations, views and paths. Includes real
+/// parts if `data` has them.
 /// @param data folder with parts/; empty: none
 std::vector<ViewCase> all_cases(std::uint64_t seed, const std::string& data);
 

@@ -8,23 +8,23 @@
 
 namespace scanner_views {
 
-/// Random numbers that are the same on every machine: the library's distributions are not.
+/// Random numbers that are the same on every machine; the standard library's distributions are not.
 class Draws {
  public:
   explicit Draws(std::uint64_t seed) : engine_(seed) {}
 
-  /// Evenly between two.
+  /// Uniform between two values.
   double between(double least, double most) {
     return least + (most - least) * std::ldexp(static_cast<double>(engine_() >> 11U), -53);
   }
 
-  /// Normal, mean 0, one standard deviation (Box and Muller 1958).
+  /// Standard normal (Box and Muller 1958).
   double normal() {
     const double radius = std::sqrt(-2 * std::log(1 - between(0, 1)));
     return radius * std::cos(between(0, 2 * M_PI));
   }
 
-  /// One of so many, from 0.
+  /// One of 0 .. count - 1.
   std::size_t one_of(std::size_t count) { return engine_() % count; }
 
  private:

@@ -12,7 +12,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// About the middle of the part's box.
+/// The deformation about the middle of the part's box.
 cases::Deformation about_middle(const cases::Deformation& deformation, const Mesh& part) {
   const Eigen::AlignedBox3d box = box_of(part);
   const Vector3d middle(box.center().x(), box.center().y(), 0);
@@ -23,7 +23,7 @@ double either_way(Draws& draws) {
   return draws.one_of(2) == 0 ? 1 : -1;
 }
 
-/// Lying on another side of the table, turned.
+/// A pose elsewhere on the table, rotated.
 Similarity lying(double scale, Draws& draws) {
   Similarity similarity;
   similarity.scale = scale;
@@ -33,7 +33,7 @@ Similarity lying(double scale, Draws& draws) {
   return similarity;
 }
 
-/// The cloud in the scanner's own frame rather than in the table's, or in that of the table.
+/// Puts the cloud in the scanner's own frame or the table's.
 Eigen::Isometry3d any_frame(Draws& draws) {
   if (draws.one_of(2) == 0) return Eigen::Isometry3d::Identity();
   Eigen::Isometry3d frame = Eigen::Isometry3d::Identity();
@@ -49,7 +49,7 @@ Viewing any_viewing(Draws& draws) {
   return kAll[draws.one_of(kAll.size())];
 }
 
-/// Its mirror image.
+/// The mirror image of a mesh.
 Mesh mirrored(Mesh mesh) {
   for (Vector3d& vertex : mesh.vertices)
     vertex.y() = -vertex.y();
@@ -58,7 +58,7 @@ Mesh mirrored(Mesh mesh) {
   return mesh;
 }
 
-/// What all families have in common.
+/// What all families share.
 ViewCase drawn(const std::string& family, const ViewPart& part, std::uint64_t seed, Draws& draws) {
   constexpr std::array kPaths = {PathKind::kRaster, PathKind::kRim, PathKind::kWave};
   ViewCase each;
@@ -127,7 +127,7 @@ ViewCase scene_case(const ViewPart& part, std::uint64_t seed) {
   each.surroundings = {true, true, draws.one_of(2) == 0};
   each.scattered = 0.002;
   each.cleaned = true;
-  each.frame.setIdentity();  // cleaning takes z for up
+  each.frame.setIdentity();  // cleaning takes z as up
   return each;
 }
 
@@ -152,7 +152,7 @@ ViewCase symmetric_case(const ViewPart& part, std::uint64_t seed) {
   ViewCase each = moved_case(part, seed);
   each.family = "to refuse";
   each.what = "symmetric";
-  each.path = PathKind::kRaster;  // a rim, and a whole wave, are their own images, too
+  each.path = PathKind::kRaster;  // a rim and a whole wave are symmetric too
   each.expected = Reason::kAmbiguous;
   return each;
 }
@@ -179,7 +179,7 @@ ViewCase wrong_case(const ViewPart& reference, const ViewPart& object, std::uint
   ViewCase each = moved_case(reference, seed);
   each.family = "to refuse";
   each.what = "for " + reference.name;
-  each.path = PathKind::kRaster;  // past what differs
+  each.path = PathKind::kRaster;  // passes by the difference
   each.object = object;
   each.expected = Reason::kWrongPart;
   return each;

@@ -6,8 +6,8 @@
 
 namespace scanner_views {
 
-// Each family: one thing that is done to a part; all else is drawn.
-// @param seed the same one draws the same case
+// Each family does one thing to a part; everything else is random.
+// @param seed the same seed gives the same case
 
 ViewCase moved_case(const ViewPart& part, std::uint64_t seed);
 ViewCase bent_case(const ViewPart& part, std::uint64_t seed);
@@ -15,11 +15,11 @@ ViewCase scaled_case(const ViewPart& part, std::uint64_t seed);
 ViewCase warped_case(const ViewPart& part, std::uint64_t seed);
 ViewCase dented_case(const ViewPart& part, std::uint64_t seed);
 ViewCase scene_case(const ViewPart& part, std::uint64_t seed);
-/// A path of its own, as it is: also where it leads through the air.
+/// The part's own path, unchanged, including moves through the air.
 ViewCase own_path_case(const ViewPart& part, std::uint64_t seed);
 ViewCase bent_own_path_case(const ViewPart& part, std::uint64_t seed);
 ViewCase symmetric_case(const ViewPart& part, std::uint64_t seed);
-/// The part lies on the side that is worked on.
+/// The part lies on its working side.
 ViewCase upside_down_case(const ViewPart& part, std::uint64_t seed);
 ViewCase mirrored_case(const ViewPart& part, std::uint64_t seed);
 ViewCase wrong_case(const ViewPart& reference, const ViewPart& object, std::uint64_t seed);

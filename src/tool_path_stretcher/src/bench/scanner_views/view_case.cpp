@@ -28,7 +28,7 @@ ScanPoints chosen(const ScanPoints& points, const std::vector<std::uint32_t>& wh
   return result;
 }
 
-/// By the default parameters of clean_cloud.
+/// Cleans with the default parameters of clean_cloud.
 void clean(View& view) {
   view.scan = view.object;
   scan_cell_common::Cloud cloud;
@@ -47,7 +47,7 @@ void clean(View& view) {
   view.object = chosen(view.object, traced.sources(), traced.cloud());
 }
 
-/// Which places a scan shows.
+/// The places that a scan shows.
 class Coverage {
  public:
   Coverage(const ScanPoints& points, double radius) : radius_(radius), tree_(of_part(points)) {}
@@ -57,7 +57,7 @@ class Coverage {
   }
 
  private:
-  /// Not those of what surrounds it.
+  /// The points of the part, without its surroundings.
   static Points of_part(const ScanPoints& points) {
     Points result;
     for (std::size_t i = 0; i < points.places.size(); ++i) {
@@ -101,10 +101,10 @@ class Obstacles {
   tool_path_stretcher::KdTree tree_;
 };
 
-/// The path where both scans show it and nothing is in the tool's way: where a person would expect
-/// it to be adapted.
+/// The path where both scans show it and nothing is in the tool's way, that is, where a person
+/// would expect it to be adapted.
 ToolPath shown_path(const ViewCase& each, const View& view) {
-  constexpr double kNear = 0.003;  // [m] two lines and a half
+  constexpr double kNear = 0.003;  // [m] two and a half lines
   const double radius = kNear * coarseness_of(each.object.mesh);
   const Obstacles obstacles(view.object);
   const Coverage object(view.object, radius), reference(view.reference_scan, radius);
@@ -118,7 +118,7 @@ ToolPath shown_path(const ViewCase& each, const View& view) {
   });
 }
 
-/// What is shown of the path, or, where that is nothing, of one of another kind.
+/// Keeps the shown part of the path, or, if there is none, of another kind of path.
 void keep_what_is_shown(const ViewCase& each, Draws& draws, View& view) {
   ToolPath shown = shown_path(each, view);
   for (const PathKind kind : {PathKind::kRaster, PathKind::kRim, PathKind::kWave}) {
@@ -142,9 +142,9 @@ void move(const Eigen::Isometry3d& frame, View& view) {
   }
 }
 
-/// Where the object lies, fine enough for its deformation.
+/// The object in its pose, meshed finely enough for its deformation.
 Mesh lying_object(const ViewCase& each) {
-  constexpr double kFine = 120;  // edges over the part: 2 mm of 250 mm; chosen
+  constexpr double kFine = 120;  // edges across the part: 2 mm of 250 mm; chosen
   return moved(
       refined(each.object.mesh, extent_of(each.object.mesh) / kFine),
       [&](const Vector3d& at) -> Vector3d { return each.similarity * each.deformation(at); });
@@ -167,7 +167,7 @@ View view_of(const ViewCase& each) {
       each.object.mesh, [&](const Vector3d& at) -> Vector3d { return each.similarity.scale * at; });
   for (Mesh& mesh : meshes_of(each.surroundings, meshes.front(), alike, draws))
     meshes.push_back(std::move(mesh));
-  constexpr double kAround = 0.05;  // [m] of a scene, scanned with the part
+  constexpr double kAround = 0.05;  // [m] of the scene, scanned with the part
   view.object = scan(meshes, {each.viewing, meshes.size() > 1 ? kAround : 0}, draws);
   scatter(each.scattered, meshes.front(), draws, view.object);
   view.scanned = view.object.places.size();

@@ -17,10 +17,10 @@ namespace scanner_views {
 using tool_path_stretcher::Reason;
 using tool_path_stretcher::Similarity;
 
-/// A part, what was done to it, and how it is looked at.
+/// A part, what was done to it, and how it is scanned.
 struct ViewCase {
   std::string family;
-  std::string what;  //!< in a few words, after the part's name
+  std::string what;  //!< short description, follows the part's name
   ViewPart reference;
   ViewPart object;  //!< the same part, or a wrong one
   cases::Deformation deformation = cases::none();
@@ -28,28 +28,28 @@ struct ViewCase {
   bool reference_scanned = false;  //!< otherwise its mesh is the reference
   Viewing viewing = Viewing::kAboveOneLaser;
   Surroundings surroundings;
-  double scattered = 0;  //!< share of points, anywhere around
-  bool cleaned = false;  //!< by clean_cloud's core, before the methods get it
-  /// Of the scanned part to the cloud's.
+  double scattered = 0;  //!< share of stray points, anywhere around
+  bool cleaned = false;  //!< by clean_cloud's core, before it is given to the methods
+  /// From the scanned part to the cloud.
   Eigen::Isometry3d frame = Eigen::Isometry3d::Identity();
   Reason expected = Reason::kAccepted;
   PathKind path = PathKind::kRaster;
-  bool whole_path = false;  //!< also where it is not scanned
+  bool whole_path = false;  //!< includes unscanned places
   std::uint64_t seed = 1;
 
   std::string name() const { return object.name + ", " + what; }
 };
 
-/// What the methods are given, and the truth.
+/// The methods' input and the truth.
 struct View {
   std::optional<pcl::PolygonMesh> reference_mesh;  //!< none: the scan is the reference
   ScanPoints reference_scan;
   ScanPoints object;
-  ScanPoints scan;          //!< before it was cleaned; empty: it was not
+  ScanPoints scan;          //!< before cleaning; empty: not cleaned
   std::string not_cleaned;  //!< why cleaning gave no cloud
   ToolPath path;            //!< on the reference
   ToolPath truth;
-  std::size_t scanned = 0;  //!< points of the object's scan before it was cleaned
+  std::size_t scanned = 0;  //!< points of the object's scan before cleaning
 };
 
 View view_of(const ViewCase& each);

@@ -16,7 +16,7 @@ namespace {
 namespace fs = std::filesystem;
 using scan_cell_common::FieldType;
 
-/// As far as laser_triangulation's points have it.
+/// The fields that laser_triangulation's points have too.
 struct FilePoint {
   float x, y, z;
   std::uint8_t laser, pass;

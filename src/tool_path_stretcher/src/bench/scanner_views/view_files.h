@@ -8,9 +8,9 @@
 
 namespace scanner_views {
 
-/// Writes a view as `stretch` reads it: reference.ply, object.ply, path.csv and
-/// truth.csv; of an object that was cleaned also scan.ply, before that. Points carry laser, pass
-/// and the place they were seen from, as in the suite's clouds.
+/// Writes a view for `stretch`: reference.ply, object.ply, path.csv and truth.csv, and scan.ply
+/// with the object before cleaning, if it was cleaned. Points have laser, pass and viewpoint, as in
+/// the suite's clouds.
 /// @throw scan_cell_common::FileError
 void write_files(const View& view, const std::string& folder);
 

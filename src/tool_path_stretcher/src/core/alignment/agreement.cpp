@@ -21,7 +21,7 @@ double share_within(const std::vector<double>& distances, double most) {
   return static_cast<double>(count) / static_cast<double>(distances.size());
 }
 
-/// Whether a point is off a surface by more than the rounding of an edge between two points of it.
+/// Whether a point is off a surface by more than the rounding of an edge between two of its points.
 bool is_clear(const Surface& surface, const Eigen::Vector3d& point, double from_nearest) {
   constexpr double kNear = 2;  // spacings; chosen
   const double near = kNear * surface.spacing;
@@ -41,9 +41,9 @@ double Agreement::contradicted(double deviation) const {
 struct Comparison::Known {
   std::size_t all = 0;            // points, known or not
   std::vector<double> distances;  // [m, object]
-  std::vector<double> off;        // [m, object] 0 where an edge may be to blame
+  std::vector<double> off;        // [m, object] 0 where an edge may be the cause
 
-  /// @param at in the frame of `surface`, which is `scale` times as large in the object's
+  /// @param at in the frame of `surface`, which is `scale` times larger in the object's
   void add(const Surface& surface, const Border& border, const Eigen::Vector3d& at, double scale) {
     ++all;
     const std::size_t nearest = surface.tree->nearest(at).index;

@@ -7,20 +7,19 @@
 
 namespace tool_path_stretcher {
 
-/// How two surfaces agree where both are known. A point beyond the other's border is not: the part
-/// may go on there.
+/// How well two surfaces agree where both are known. Beyond the other surface's border nothing is
+/// known: the part may continue there.
 struct Agreement {
-  double known = 0;         //!< lesser share of either's points that are
-  double object_known = 0;  //!< share of the object's points that are
-  double agreeing = 0;      //!< lesser share, of the known points of either, that lie on the other
-  double noise = 0;         //!< [m] robust standard deviation of the known points of the object, or
-                            //!< the resolution
-  double cost = 0;          //!< [m] RMS distance of all, capped; of points not known a middling one
-  std::vector<double> object_off;     //!< [m] of the known points; 0 where an edge may be to blame
+  double known = 0;         //!< share of known points, the lower of the two surfaces'
+  double object_known = 0;  //!< share of the object's points that are known
+  double agreeing = 0;      //!< share of known points that lie on the other surface, likewise
+  double noise = 0;  //!< [m] robust deviation of the object's known points, or the resolution
+  double cost = 0;   //!< [m] RMS capped distance of all points; unknown points count a middling one
+  std::vector<double> object_off;     //!< [m] of the known points; 0 where an edge may be the cause
   std::vector<double> reference_off;  //!< [m] the same of the reference's
 
-  /// Greater share, of the known points of either, that noise of that deviation [m] does not put so
-  /// far off the other.
+  /// Share of known points that lie farther off the other surface than noise of that deviation [m]
+  /// explains, the higher of the two surfaces'.
   double contradicted(double deviation) const;
 };
 

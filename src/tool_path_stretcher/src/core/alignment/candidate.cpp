@@ -26,7 +26,7 @@ Candidate judged(const SurfacePair& surfaces, const Mapping& mapping, Density de
   constexpr double kCap = 0.05;            // of the object's size; chosen
   constexpr double kObjectShare = 0.9;     // of the object's points; chosen
   constexpr double kBulkShare = 0.75;      // of the object's points; chosen
-  constexpr double kReferenceShare = 0.5;  // of the reference's points: a scan shows one side
+  constexpr double kReferenceShare = 0.5;  // of the reference's points: a scan shows only one side
   const auto& [reference, object] = surfaces;
   const Similarity& similarity = mapping.similarity;
   const double cap = kCap * object.size;

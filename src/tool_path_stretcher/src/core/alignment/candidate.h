@@ -13,14 +13,14 @@ namespace tool_path_stretcher {
 struct Candidate {
   Similarity similarity;
   double cost = 0;       //!< [m, object] residual of both directions
-  double bulk_cost = 0;  //!< [m] the same without more of the object: floor and loose points
+  double bulk_cost = 0;  //!< [m] the same, leaving out more of the object: floor and loose points
   std::optional<Agreement> agreement = {};  //!< only where either surface may be partial
 };
 
-/// The root mean square residual of both directions, each point counted up to a cap; of the object
-/// without the share that may not belong to the part, of the reference only the share that any scan
-/// covers. Added to that is what the surfaces cannot resolve: without noise one pose is not many
-/// times as good as another because it was refined further.
+/// RMS residual in both directions, each point counted up to a cap. Leaves out the share of the
+/// object that may not belong to the part, and counts only the share of the reference that any scan
+/// covers. The surfaces' resolution is added: otherwise, without noise, a pose would seem many
+/// times better than another just because it was refined further.
 Candidate judged(const SurfacePair& surfaces, const Mapping& mapping, Density density);
 
 }  // namespace tool_path_stretcher

@@ -26,7 +26,7 @@ struct Pair {
   double distance;
 };
 
-/// Nearest points in the object's frame, without the worst.
+/// Pairs nearest points in the object's frame, without the worst pairs.
 void match(const CoarsePair& surfaces, const Similarity& similarity, std::vector<Pair>& forth,
            std::vector<Pair>& back) {
   // A scan may show only one side of the reference, but nothing that is not on it.

@@ -15,9 +15,9 @@ struct CoarseSurface {
   explicit CoarseSurface(const Surface& surface);
 
   PrincipalFrame frame;
-  Points queries;                      //!< at most 300 points, to look up in the other surface
-  std::shared_ptr<NearestGrid> found;  //!< at most 1000 points, to be found
-  Points normals;                      //!< of those, unit length
+  Points queries;                      //!< at most 300 points to look up in the other surface
+  std::shared_ptr<NearestGrid> found;  //!< at most 1000 points that can be found
+  Points normals;                      //!< of `found`, unit length
 };
 
 struct CoarsePair {

@@ -9,11 +9,12 @@
 
 namespace tool_path_stretcher {
 
-/// Share of either surface that must be known of the other, or a few points decide; chosen.
+/// Least share of either surface that must be known on the other, so that a few points do not
+/// decide; chosen.
 constexpr double kLeastKnown = 0.35;
 
-/// [m] from a surface that is known to within its spacing
-/// @param way from its nearest point [m]
+/// [m] distance from a surface that is known to within its spacing
+/// @param way vector from its nearest point [m]
 inline double off_surface(const Eigen::Vector3d& way, const Eigen::Vector3d& normal,
                           double spacing) {
   const double along = normal.dot(way);
@@ -21,8 +22,8 @@ inline double off_surface(const Eigen::Vector3d& way, const Eigen::Vector3d& nor
   return std::hypot(along, std::max(0.0, beside - spacing));
 }
 
-/// Root mean square distance, each counted up to a cap. A point that is not known counts as a
-/// middling one: it speaks against a pose, but less than one that lies off the surface.
+/// RMS distance, each point counted up to a cap. An unknown point counts a middling distance: it
+/// speaks against a pose, but less than one that lies off the surface.
 class PartialCost {
  public:
   /// @param size of the object [m]
@@ -33,7 +34,7 @@ class PartialCost {
     ++known_;
   }
 
-  /// @param all points, known or not
+  /// @param all number of points, known or not
   double of(double all) const {
     return std::sqrt((sum_ + (all - known_) * std::pow(kUnknown * cap_, 2)) / all);
   }

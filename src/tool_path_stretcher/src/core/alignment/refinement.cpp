@@ -31,8 +31,9 @@ struct Constraint {
 };
 using Constraints = std::vector<Constraint>;
 
-/// The way from a mapped reference point to an object point along the first normal, where the two
-/// may be the same place: beside each other by little, and on surfaces that face alike.
+/// The distance from a mapped reference point to an object point along the first normal. None
+/// unless the two may be the same place: close to each other laterally, on surfaces that face
+/// alike.
 std::optional<Constraint> pair_of(const Eigen::Vector3d& mapped, const Eigen::Vector3d& object,
                                   const Eigen::Vector3d& normal,
                                   const Eigen::Vector3d& other_normal, double spacing) {
@@ -46,7 +47,7 @@ std::optional<Constraint> pair_of(const Eigen::Vector3d& mapped, const Eigen::Ve
   return Constraint{mapped, normal, along};
 }
 
-/// Pairs the points of two surfaces, in both directions, as the one is moved towards the other.
+/// Pairs the points of two surfaces in both directions while one moves towards the other.
 class Pairing {
  public:
   Pairing(const SurfacePair& surfaces, Density density)
@@ -104,7 +105,7 @@ class Pairing {
   const Surface& object_;
   const std::vector<std::size_t>& object_sample_;
   const std::vector<std::size_t>& reference_sample_;
-  std::vector<std::size_t> edge_sample_;  // of the object; empty where the reference has no edge
+  std::vector<std::size_t> edge_sample_;  // of the object; empty if the reference has no edge
   NearestCache in_reference_;
   NearestCache in_object_;
 };
@@ -117,12 +118,12 @@ double deviation_of(const Constraints& constraints, double least) {
   return std::max(robust_deviation(std::move(errors)), least);
 }
 
-/// Normal equations of a small similarity about `centre`: turn, shift, relative growth.
+/// Normal equations of a small similarity about `centre`: rotation, shift, relative growth.
 class Equations {
  public:
   explicit Equations(const Eigen::Vector3d& centre) : centre_(centre) {}
 
-  /// Each constraint counts by its deviation [m], and not at all far beyond it.
+  /// Weights each constraint by the deviation [m]; errors far beyond it do not count.
   void add(const Constraints& constraints, double deviation) {
     for (const Constraint& constraint : constraints) {
       const double weight =
@@ -136,8 +137,8 @@ class Equations {
     }
   }
 
-  /// The two rigid motions that the constraints resist least, of a point at the given distance by
-  /// one metre at most.
+  /// The two rigid motions that the constraints resist least. They move a point at the given
+  /// distance by at most one metre.
   std::array<Vector7d, 2> weakest(double distance) const {
     Eigen::Matrix<double, 6, 6> matrix = matrix_.topLeftCorner<6, 6>();
     matrix.topRows<3>() /= distance;
@@ -152,7 +153,7 @@ class Equations {
     return motions;
   }
 
-  /// Adds how well the object's scale, now `current`, was known before anything was measured.
+  /// Adds the prior knowledge of the object's scale, which is now `current`.
   void add_prior(const ScalePrior& prior, double current) {
     fixed_scale_ = prior.is_fixed();
     if (!prior.is_known() || fixed_scale_) return;
@@ -204,12 +205,12 @@ Similarity refine(const SurfacePair& surfaces, Similarity start, const ScalePrio
                   Density density, int iterations) {
   // [rad], of the object's size and of the scale, summed; chosen
   const double converged = density == Density::kMany ? 1e-6 : 3e-5;
-  constexpr double kConverged = 0.01;  // of the residuals' deviation: their mean is known no better
+  constexpr double kConverged = 0.01;    // of the residuals' deviation: the mean is known no better
   constexpr double kRimDeviation = 0.5;  // spacings: how far inside its rim a surface is sampled
   const Surface& object = surfaces.object;
   const Eigen::Vector3d centre = object.centroid;
-  // Where there is no noise the faces fit far better than edges and holes do, sampled as they are:
-  // those must not be taken for outliers, for they may be all that shows a turn.
+  // Without noise, faces fit far better than sampled edges and holes. These must not become
+  // outliers, since they may be all that shows a rotation.
   const double least = resolution(surfaces, start.scale);
   Pairing pairing(surfaces, density);
   const Eigen::Matrix3d axes = principal_frame(select(object.points, object.samples.few)).axes;
@@ -261,7 +262,7 @@ std::vector<Similarity> slides(const SurfacePair& surfaces, const Similarity& si
 }
 
 std::vector<Axis> freest_axes(const SurfacePair& surfaces, const Similarity& similarity) {
-  constexpr double kTurns = 0.7;  // of a motion of one: more a turn than a shift
+  constexpr double kTurns = 0.7;  // of a unit motion: mostly a rotation, not a shift
   const Surface& object = surfaces.object;
   const Eigen::Vector3d centre = object.centroid;
   std::vector<Axis> axes;

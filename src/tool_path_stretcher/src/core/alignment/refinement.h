@@ -10,13 +10,12 @@
 namespace tool_path_stretcher {
 
 /// Refines a pose by robust point-to-plane ICP in both directions (Chen and Medioni 1992; Tukey's
-/// biweight), with the rims held on each other. The scale of the start must lie in the prior's
-/// range.
+/// biweight), with rims matched to rims. The scale of the start must lie in the prior's range.
 Similarity refine(const SurfacePair& surfaces, Similarity start, const ScalePrior& scale,
                   Density density, int iterations);
 
-/// The pose with the reference moved by about `step` [m] in the two ways, each to both sides, that
-/// the surfaces resist least.
+/// The pose with the reference moved by about `step` [m], both ways, along each of the two
+/// directions that the surfaces resist least.
 std::vector<Similarity> slides(const SurfacePair& surfaces, const Similarity& similarity,
                                double step);
 
@@ -26,7 +25,7 @@ struct Axis {
   Eigen::Vector3d along;
 };
 
-/// The axes, two at most, about which the surfaces resist a turn of the reference least.
+/// The axes, at most two, about which the surfaces resist a rotation of the reference least.
 std::vector<Axis> freest_axes(const SurfacePair& surfaces, const Similarity& similarity);
 
 }  // namespace tool_path_stretcher

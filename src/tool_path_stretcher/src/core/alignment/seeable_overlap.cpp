@@ -11,7 +11,7 @@
 namespace tool_path_stretcher {
 namespace {
 
-/// The direction that the normals, whatever their signs, have in common. Unit length.
+/// The common direction of the normals, ignoring their signs. Unit length.
 Eigen::Vector3d mean_normal(const Surface& surface) {
   Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
   for (const std::size_t i : surface.samples.few)
@@ -19,7 +19,7 @@ Eigen::Vector3d mean_normal(const Surface& surface) {
   return Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(sum).eigenvectors().col(2);
 }
 
-/// Each from where the object may have been seen, in its frame.
+/// The possible sets of viewing directions of the object, in its frame.
 std::vector<Points> possible_viewers(const Surface& object) {
   if (!object.seen_from.empty()) return {object.seen_from};
   const Eigen::Vector3d along = mean_normal(object);

@@ -6,9 +6,9 @@
 
 namespace tool_path_stretcher {
 
-/// The share of what can be seen of the reference, as a mapping lays it, that the object covers:
-/// seen from where the object was, or, where that is not known, from the side of the two along its
-/// mean normal that shows more of what it covers.
+/// The share of the visible part of the mapped reference that the object covers. The reference is
+/// seen from where the object was seen. If that is unknown, it is seen along the object's mean
+/// normal, from the side that shows more of what the object covers.
 /// @param inlier_distance [m]
 double seeable_overlap(const SurfacePair& surfaces, const Mapping& mapping, double inlier_distance);
 

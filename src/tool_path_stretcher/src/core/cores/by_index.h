@@ -9,12 +9,12 @@
 
 namespace tool_path_stretcher {
 
-/// Calls `work` with ranges of indices, from begin to before end, that together are all below
-/// `count`: on all cores that the process may use, in any order, some at once. Work that writes
-/// only what belongs to its indices leaves the same bytes on any number of cores. It may call this
-/// again: there are never more threads at work than cores.
-/// @param grain indices that are not worth splitting
-/// @throw whatever work throws; ranges not begun by then are left out
+/// Calls `work` with ranges of indices [begin, end) that together cover 0 .. count - 1. Runs on all
+/// cores that the process may use, in any order and in parallel. Work that writes only what belongs
+/// to its indices leaves the same bytes on any number of cores. Work may call this function again:
+/// there are never more working threads than cores.
+/// @param grain number of indices not worth splitting
+/// @throw whatever work throws; ranges not yet begun are skipped
 void for_ranges(std::size_t count, std::size_t grain,
                 const std::function<void(std::size_t, std::size_t)>& work);
 
@@ -27,7 +27,7 @@ void for_indices(std::size_t count, std::size_t grain, const Work& work) {
   });
 }
 
-/// What `work` makes of each index, in their order.
+/// The results of `work` for each index, in order.
 template <class Result, class Work>
 std::vector<Result> by_index(std::size_t count, std::size_t grain, const Work& work) {
   std::vector<Result> results(count);
@@ -35,7 +35,7 @@ std::vector<Result> by_index(std::size_t count, std::size_t grain, const Work& w
   return results;
 }
 
-/// The same without the empty ones.
+/// The same without empty results.
 /// @tparam Work returns an optional
 template <class Result, class Work>
 std::vector<Result> all_of(std::size_t count, std::size_t grain, const Work& work) {
@@ -48,8 +48,8 @@ std::vector<Result> all_of(std::size_t count, std::size_t grain, const Work& wor
   return results;
 }
 
-constexpr std::size_t kSingly = 1;      // grain of what takes a millisecond or more
-constexpr std::size_t kDozens = 16;     // of what takes tens of microseconds
-constexpr std::size_t kHundreds = 256;  // of what takes less than one: a query of a tree
+constexpr std::size_t kSingly = 1;      // grain for work of a millisecond or more
+constexpr std::size_t kDozens = 16;     // for tens of microseconds
+constexpr std::size_t kHundreds = 256;  // for less than one microsecond, such as a tree query
 
 }  // namespace tool_path_stretcher

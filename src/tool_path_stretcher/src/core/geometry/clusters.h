@@ -9,9 +9,8 @@
 
 namespace tool_path_stretcher {
 
-/// Points that can be reached from each other by steps of at most `gap` [m], the largest cluster
-/// first.
-/// @param linked whether a step may lead from one point to another; none: any
+/// Clusters of points that are connected by steps of at most `gap` [m], largest first.
+/// @param linked whether a step may lead from one point to another; empty: always
 std::vector<std::vector<std::size_t>> clusters(
     const KdTree& tree, double gap,
     const std::function<bool(std::size_t, std::size_t)>& linked = {});

@@ -8,10 +8,10 @@
 
 namespace tool_path_stretcher {
 
-/// Those of a part's rims by the way they face, of six along the axes. The long edges of a part
-/// must not make outliers of its short ends, which alone show a place along the edges: each group
-/// has a deviation of its own.
-/// @param way_of gives the direction in which a rim faces
+/// Groups a part's rims by the direction they face, one of six along the axes. Each group has its
+/// own deviation. Otherwise a part's long edges would make outliers of its short ends, which alone
+/// show the position along those edges.
+/// @param way_of returns the direction in which a rim faces
 template <class Each, class WayOf>
 std::array<std::vector<Each>, 6> by_facing(const std::vector<Each>& rims,
                                            const Eigen::Matrix3d& axes, const WayOf& way_of) {

@@ -40,7 +40,7 @@ KdTree::Neighbour KdTree::nearest(const Eigen::Vector3d& query) const {
 }
 
 KdTree::Neighbour KdTree::nearest_from(std::size_t near_by, const Eigen::Vector3d& query) const {
-  constexpr double kRounding = 1e-12;  // that the point near by is found again, and ties alike
+  constexpr double kRounding = 1e-12;  // finds the nearby point again, and resolves ties alike
   double squared_distance = (query - index_->points[near_by]).squaredNorm() * (1 + kRounding) +
                             std::numeric_limits<double>::min();
   auto index = static_cast<std::uint32_t>(near_by);

@@ -8,7 +8,7 @@
 
 namespace tool_path_stretcher {
 
-/// A set of points and the kd-tree over it.
+/// A set of points and its kd-tree.
 class KdTree {
  public:
   struct Neighbour {
@@ -26,21 +26,22 @@ class KdTree {
   /// The set must not be empty.
   Neighbour nearest(const Eigen::Vector3d& query) const;
 
-  /// The same, sooner: `near_by` is the index of a point that is not far from the nearest.
+  /// The same but faster: `near_by` is the index of a point close to the nearest.
   Neighbour nearest_from(std::size_t near_by, const Eigen::Vector3d& query) const;
 
-  /// The nearest point, and how much farther [m] away the next one is (infinite: there is none).
+  /// The nearest point, and how much farther away [m] the second nearest is (infinite: there is
+  /// none).
   struct Clear {
     std::size_t index;
     double lead;
   };
   Clear clearly_nearest(const Eigen::Vector3d& query) const;
 
-  /// The `count` nearest, nearest first; fewer where the set has fewer.
+  /// The `count` nearest points, nearest first; fewer if the set has fewer.
   void nearest(const Eigen::Vector3d& query, std::size_t count,
                std::vector<Neighbour>& found) const;
 
-  /// All within `radius` [m], by index.
+  /// All points within `radius` [m], ordered by index.
   void within(const Eigen::Vector3d& query, double radius, std::vector<Neighbour>& found) const;
 
  private:

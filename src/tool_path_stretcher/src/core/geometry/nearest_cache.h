@@ -8,17 +8,17 @@
 
 namespace tool_path_stretcher {
 
-/// Nearest points of a tree for queries that move less and less from one round to the next: while a
-/// query has moved by less than half of what its second nearest point was farther away, no other
-/// point can have become the nearest, and the tree is not asked again. The second nearest is looked
-/// for once that may be worth it.
+/// Nearest points of a tree for queries that move less and less from round to round. The lead is
+/// how much farther away the second nearest point is. Until a query has moved by half of it, no
+/// other point can have become the nearest, and the tree is not queried again. The second nearest
+/// is looked up only when that may pay off.
 class NearestCache {
  public:
   /// @param spacing of the tree's points [m]
   NearestCache(const KdTree& tree, std::size_t queries, double spacing)
       : tree_(&tree), spacing_(spacing), known_(queries) {}
 
-  /// Index of the point of the tree that is nearest to where the query is now.
+  /// Index of the tree's point nearest to the query's current position.
   std::size_t nearest(std::size_t query, const Eigen::Vector3d& at) {
     Known& known = known_[query];
     const double moved = (at - known.at).norm();
@@ -37,10 +37,10 @@ class NearestCache {
  private:
   struct Known;
 
-  /// Whether a query that has moved so far is likely to keep its nearest point the next time: the
-  /// higher it is over the points, the less the second nearest is farther away.
+  /// Whether a query that has moved by `moved` is likely to keep its nearest point next time. The
+  /// farther the query is from the points, the smaller the lead of the nearest one.
   bool may_stay(const Known& known, const Eigen::Vector3d& at, double moved) const {
-    constexpr double kLead = 0.25;  // of the spacing, of a query among the points; chosen
+    constexpr double kLead = 0.25;  // of the spacing, for a query among the points; chosen
     const double off = (at - tree_->points()[known.index]).norm();
     return moved * std::max(off, spacing_) < kLead * spacing_ * spacing_;
   }
@@ -48,7 +48,7 @@ class NearestCache {
   struct Known {
     Eigen::Vector3d at = Eigen::Vector3d::Zero();
     std::size_t index = 0;
-    double free = 0;  // [m] that the query may move
+    double free = 0;  // [m] the query may still move
     bool asked = false;
   };
 

@@ -12,9 +12,9 @@
 
 namespace tool_path_stretcher {
 
-/// Nearest points of a fixed set, to within the size of a cell: of each cell of space the point
-/// nearest to its middle is looked up once, when it is first asked for. Far cheaper than a tree for
-/// poses that are only roughly right. May be asked from several threads at once.
+/// Nearest points of a fixed set, to within the size of a cell. For each cell of space, the point
+/// nearest to its centre is looked up once, on first use. Far cheaper than a tree for poses that
+/// are only roughly right. Thread-safe.
 class NearestGrid {
  public:
   /// The set must not be empty.
@@ -40,7 +40,7 @@ class NearestGrid {
     const Eigen::Array3i at = cell_of(query);
     std::atomic<std::uint32_t>& known =
         known_[static_cast<std::size_t>((at.z() * counts_.y() + at.y()) * counts_.x() + at.x())];
-    // Two threads that both miss it find the same.
+    // Two threads that both miss find the same point.
     std::uint32_t number = known.load(std::memory_order_relaxed);
     if (number == kUnknown) {
       number = 1 + static_cast<std::uint32_t>(
@@ -53,7 +53,7 @@ class NearestGrid {
  private:
   static constexpr std::uint32_t kUnknown = 0;
 
-  /// The cell at the border for what lies outside; the first for what is not a number.
+  /// The border cell for queries outside; the first cell for NaN.
   Eigen::Array3i cell_of(const Eigen::Vector3d& query) const {
     Eigen::Array3i cell;
     for (Eigen::Index axis = 0; axis < 3; ++axis) {
@@ -67,7 +67,7 @@ class NearestGrid {
   Eigen::Vector3d corner_;
   double edge_;
   Eigen::Array3i counts_;
-  std::vector<std::atomic<std::uint32_t>> known_;  // of each cell, the point's index and 1
+  std::vector<std::atomic<std::uint32_t>> known_;  // of each cell: the point's index + 1
 };
 
 }  // namespace tool_path_stretcher

@@ -18,7 +18,7 @@ using scan_cell_common::Grid;
 using scan_cell_common::GridEntry;
 
 Grid grid_of(const Eigen::Vector3d& leaf) {
-  constexpr double kMaxCells = 1e15;  // beyond it a double no longer counts by ones
+  constexpr double kMaxCells = 1e15;  // above, a double no longer counts by ones
   return {leaf, {0, 1, 2}, kMaxCells};
 }
 
@@ -61,7 +61,7 @@ std::vector<std::size_t> spread_evenly(const Points& points, std::size_t most) {
   Eigen::AlignedBox3d box;
   for (const Eigen::Vector3d& point : points)
     box.extend(point);
-  // A surface fills cells by the inverse square of their edge.
+  // The number of cells on a surface grows with the inverse square of their edge.
   double leaf = box.diagonal().norm() / std::sqrt(static_cast<double>(most));
   constexpr int kTries = 20;       // chosen
   constexpr double kEnough = 0.8;  // of `most`; chosen

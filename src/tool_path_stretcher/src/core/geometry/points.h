@@ -6,15 +6,16 @@
 
 namespace tool_path_stretcher {
 
-/// The mean of the points of each cell of a grid (thesis 8.5), in the order of the cells; cells
-/// share the points of a face beside their border, as scan_cell_common::with_even_cells() deals
-/// them.
+/// The mean of the points in each cell of a grid (thesis 8.5), in the order of the cells.
+/// Neighbouring cells share the points of a face beside their border, as
+/// scan_cell_common::with_even_cells() distributes them.
 /// @param leaf edges of a cell [m], above 0
 /// @throw scan_cell_common::InvalidParameter if a leaf is not above 0
-/// @throw scan_cell_common::UnusableInput if a point is not finite or too far out to count its cell
+/// @throw scan_cell_common::UnusableInput if a point is not finite, or too far out to number its
+/// cell
 Points reduce_on_grid(const Points& points, const Eigen::Vector3d& leaf);
 
-/// Indices of at most `most` points, spread evenly over the space the points fill: one of each
+/// Indices of at most `most` points, spread evenly over the space that the points fill: one per
 /// cubic cell, whatever the density.
 std::vector<std::size_t> spread_evenly(const Points& points, std::size_t most);
 

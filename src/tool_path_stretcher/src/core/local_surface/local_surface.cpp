@@ -25,7 +25,7 @@ LocalSurfaceFitter::LocalSurfaceFitter(const SurfacePair& surfaces, const Mappin
   along.reserve(residuals_.size());
   for (const Residual& residual : residuals_)
     along.push_back(mapping.similarity.scale * residual.along_normal);
-  constexpr double kExact = 1e-9;  // [m] two clouds of the same bytes have a noise above 0; chosen
+  constexpr double kExact = 1e-9;  // [m] keeps the noise above 0 for identical clouds; chosen
   noise_ = std::max(robust_deviation(std::move(along)), kExact);
 }
 
@@ -40,7 +40,7 @@ std::vector<LocalSurfaceFitter::Height> LocalSurfaceFitter::heights_of(
     const double agreement = reference_.normals[residual.reference].dot(local.normal);
     const bool same_face =
         reference_.oriented ? agreement > kSameFace : std::abs(agreement) > kSameFace;
-    // Over a hole of the reference nothing tells how its surface runs on.
+    // Over a hole of the reference, its surface is unknown.
     if (!same_face || residual.beside > 0) continue;
     const Eigen::Vector3d offset = residual.pulled_back - local.base;
     const double near = 1 - neighbour.squared_distance / (radius_ * radius_);
@@ -76,12 +76,13 @@ struct LinearFit {
   Eigen::Vector3d solution = Eigen::Vector3d::Zero();
   Eigen::Matrix3d inverse = Eigen::Matrix3d::Zero();  // of the normal equations
   double rms = 0;                                     // [m] weighted
-  double points = 0;                                  // as many as count alike (Kish 1965)
+  double points = 0;                                  // effective number (Kish 1965)
 };
 
-/// What the points of a fit have beside their heights, fitted as those were: per radius.
+/// Other properties of a fit's points, fitted like their heights; per radius.
 struct Gradients {
-  Eigen::Matrix2d of_rise;  // a column each: the plane turns so with a shift of the scan
+  Eigen::Matrix2d
+      of_rise;  // one column per direction: rotation of the plane with a shift of the scan
   Eigen::Vector2d of_blur;  // beyond what is usual on a face
 };
 
@@ -138,9 +139,9 @@ LinearFit fit_linearly(const Heights& heights, double radius) {
   return fit;
 }
 
-/// Of each component.
-/// @param slopes of the fit with a shift of a metre in each of two ways
-/// @param covariance [m^2] of the shift; beyond the radius it is the mapping's, not the fit's
+/// Variance of each component of the slope due to a shift.
+/// @param slopes of the fit per metre of shift in each of two directions
+/// @param covariance [m^2] of the shift; beyond the radius it concerns the mapping, not the fit
 double slope_variance_of_shift(const Eigen::Matrix2d& slopes, const Eigen::Matrix2d& covariance,
                                double radius) {
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> solver(covariance);
@@ -159,8 +160,8 @@ LocalSurface LocalSurfaceFitter::far_from(const Eigen::Vector3d& point) const {
   return local;
 }
 
-/// Where the reference is what can be seen of one: whether `point` lies beside what cannot, and on
-/// which place of it.
+/// If the reference is the visible part of a surface: whether `point` lies beside the hidden part,
+/// and at which place on it.
 bool LocalSurfaceFitter::lies_on_hidden(const Eigen::Vector3d& point, LocalSurface& local) const {
   constexpr double kBeside = 2;  // spacings, as in distances_of()
   if (!reference_.whole) return false;
@@ -191,7 +192,7 @@ LocalSurface LocalSurfaceFitter::fit(const Eigen::Vector3d& point,
   local.residual = fit.rms;
   local.height = fit.solution[0];
   local.slope = (fit.solution[1] * tangent + fit.solution[2] * bitangent) / radius_;
-  // Errors of neighbouring points are not quite independent: part of the noise stays.
+  // Errors of neighbouring points are not quite independent: part of the noise remains.
   constexpr double kCommon = 0.1 * 0.1;  // of the variance; chosen
   constexpr double kFitted = 3;          // numbers of a plane
   const double freedom = std::max(0.1, 1 - kFitted / fit.points);
@@ -206,11 +207,11 @@ LocalSurface LocalSurfaceFitter::fit(const Eigen::Vector3d& point,
   const Gradients gradients = gradients_of(heights, radius_, fit.inverse, kDeviations * noise_);
   local.slope_variance += slope_variance_of_shift(
       gradients.of_rise / radius_, ways.transpose() * shift_covariance * ways, radius_);
-  // Towards an edge a scan falls off the reference: sampling and mixed points round it off.
-  constexpr double kRounded = 0.3;                             // of what the blur grows by; chosen
+  // Towards an edge, sampling and mixed points round off the scan, and it falls off the reference.
+  constexpr double kRounded = 0.3;                             // of the growth of the blur; chosen
   const double rounded = kRounded * gradients.of_blur.norm();  // [m] over a radius
   local.slope_variance += rounded * rounded / 2 / (radius_ * radius_);
-  // Points on one side only tell little of the height here, and those of two faces nothing.
+  // Points on only one side tell little about the height here, and points of two faces nothing.
   constexpr double kMaxLeverage = 0.5;  // of a point's variance in the height; chosen
   constexpr double kRough = 5;          // times the noise; chosen
   local.measured =

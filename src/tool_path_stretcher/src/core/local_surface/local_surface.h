@@ -10,8 +10,8 @@
 
 namespace tool_path_stretcher {
 
-/// The scanned surface around one place of the reference, as a height over the mapped reference:
-/// what both surfaces have in common, their curvature and edges, falls out of the difference.
+/// The scanned surface around one place of the reference, as a height over the mapped reference.
+/// Curvature and edges that both surfaces share cancel out.
 struct LocalSurface {
   Eigen::Vector3d base;    //!< [m] place on the reference
   Eigen::Vector3d normal;  //!< of the reference there
@@ -19,29 +19,29 @@ struct LocalSurface {
   double height = 0;           //!< [m, object] of the scan over the reference
   double height_variance = 0;  //!< [m^2]
   Eigen::Vector3d slope =
-      Eigen::Vector3d::Zero();  //!< its gradient along the reference, in its frame
-  double slope_variance = 0;    //!< of each component, also of what a shift along it does
+      Eigen::Vector3d::Zero();  //!< gradient of the height along the reference, in its frame
+  double slope_variance = 0;    //!< of each component, including the effect of a tangential shift
   double residual = 0;          //!< [m] RMS of the scanned points from the fitted surface
   std::size_t support = 0;      //!< scanned points
-  Strangers::Beside strangers;  //!< scanned points beside it that are far off the reference
+  Strangers::Beside strangers;  //!< scanned points nearby that are far off the reference
 };
 
-/// Fits heights linearly over the reference's tangent plane, robustly (Tukey's biweight), to the
+/// Fits a linear height over the reference's tangent plane, robustly (Tukey's biweight), to the
 /// scanned points of the same face within a radius.
 class LocalSurfaceFitter {
  public:
   /// @param radius [m, object]
-  /// @param max_stranger [m, object] farther off the reference, a scanned point is a stranger
+  /// @param max_stranger [m, object] a scanned point farther off the reference is a stranger
   LocalSurfaceFitter(const SurfacePair& surfaces, const Mapping& mapping, double radius,
                      int min_support, double max_stranger);
 
-  /// The surface beside `point` of the reference's space.
-  /// @param shift_covariance [m^2, object] of where the mapping puts that: along a surface that is
-  /// curved or has an edge, a shift looks like a slope
+  /// The surface beside `point` in the reference's space.
+  /// @param shift_covariance [m^2, object] of where the mapping puts the point: on a curved surface
+  /// or at an edge, a tangential shift looks like a slope
   LocalSurface fit(const Eigen::Vector3d& point, const Eigen::Matrix3d& shift_covariance) const;
 
-  /// The place of the reference nearest to `point`, which is too far away to learn of the scan from
-  /// it.
+  /// The place of the reference nearest to `point`, which is too far away to be measured on the
+  /// scan.
   LocalSurface far_from(const Eigen::Vector3d& point) const;
 
  private:
@@ -59,7 +59,7 @@ class LocalSurfaceFitter {
                                  const LocalSurface& local, const Eigen::Vector3d& tangent,
                                  const Eigen::Vector3d& bitangent) const;
 
-  /// Sampling and grid leave open where a surface is beside an edge.
+  /// Sampling and grid leave the surface beside an edge uncertain.
   void weigh_down_edges(std::vector<Height>& heights) const;
 
   const Surface& reference_;

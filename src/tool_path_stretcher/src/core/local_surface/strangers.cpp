@@ -18,7 +18,7 @@ Points off_reference(const SurfacePair& surfaces, const Mapping& mapping,
   const double scale = mapping.similarity.scale;
   const auto is_off = [&, &reference = reference](const Residual& residual) {
     if (scale * std::hypot(residual.along_normal, residual.beside) <= max_off) return false;
-    const double far = max_off / scale;  // from what no scan was thought to show, too
+    const double far = max_off / scale;  // also from the part that no scan was expected to show
     return !reference.whole ||
            reference.whole->nearest(residual.pulled_back).squared_distance > far * far;
   };
@@ -32,7 +32,7 @@ Points off_reference(const SurfacePair& surfaces, const Mapping& mapping,
   return off;
 }
 
-/// Those that have neighbours as points of a surface do, and loose ones do not.
+/// The points with as many neighbours as on a surface; drops loose points.
 Points on_surfaces(const Points& points, double spacing) {
   constexpr double kReach = 2;       // spacings; chosen
   constexpr std::size_t kLeast = 5;  // of about 12 on a surface, itself included; chosen
@@ -47,7 +47,7 @@ Points on_surfaces(const Points& points, double spacing) {
   return result;
 }
 
-/// The cosine of the angle to the viewers' mean direction; 0: they are not known.
+/// The cosine of the angle to the viewers' mean direction; 0: viewers unknown.
 double facing(const Eigen::Vector3d& normal, const Points& viewers) {
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
   for (const Eigen::Vector3d& viewer : viewers)
@@ -87,7 +87,7 @@ std::vector<std::size_t> Strangers::column(const Eigen::Vector3d& at, const Eige
   constexpr double kAlong = 0.1;   // cosine: 84 degrees; chosen
   constexpr double kFacing = 0.9;  // cosine: 26 degrees; chosen
   constexpr double kCovers = 1.2;  // radii of spheres one radius apart, which fill the column
-  constexpr double kOver = 0.5;    // radii: far up, what is beside the place is not over it; chosen
+  constexpr double kOver = 0.5;    // radii: far up, points beside the place are not over it; chosen
   const double towards = facing(normal, viewers_);
   const Eigen::Vector3d out = std::copysign(1.0, towards) * normal;
   std::vector<KdTree::Neighbour> neighbours;

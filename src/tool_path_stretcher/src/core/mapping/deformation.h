@@ -12,7 +12,7 @@
 namespace tool_path_stretcher {
 
 /// A smooth displacement of the reference, in its own frame: an embedded deformation graph (Sumner,
-/// Schmid and Pauly 2007). Each node turns and shifts the space around it; between the nodes the
+/// Schmid and Pauly 2007). Each node rotates and shifts the space around it; between nodes these
 /// motions are blended.
 class DeformationGraph {
  public:
@@ -23,12 +23,12 @@ class DeformationGraph {
   };
   struct Influence {
     std::size_t node;
-    double weight;  //!< of all at a point, the sum is 1
+    double weight;  //!< the weights at a point sum to 1
   };
 
   DeformationGraph() = default;  ///< no displacement
 
-  /// Nodes spread over the points, about `spacing` [m] apart, that do not displace anything yet.
+  /// Spreads nodes over the points, about `spacing` [m] apart; they do not displace anything yet.
   DeformationGraph(const Points& points, double spacing);
 
   bool empty() const { return nodes_.empty(); }
@@ -39,14 +39,14 @@ class DeformationGraph {
   /// Pairs of neighbouring nodes, each in both orders.
   std::vector<std::pair<std::size_t, std::size_t>> links() const;
 
-  /// The nodes that move a point. At least one, however far away it is.
+  /// The nodes that move a point; at least one, however far away the point is.
   void influences(const Eigen::Vector3d& point, std::vector<Influence>& found) const;
 
-  /// How their weights change along a way [1/m].
+  /// Derivatives of their weights along a direction [1/m].
   std::vector<double> weight_slopes(const Eigen::Vector3d& point, const Eigen::Vector3d& way,
                                     const std::vector<Influence>& influences) const;
 
-  /// Where a point comes to lie that those nodes move.
+  /// A point as moved by these nodes.
   Eigen::Vector3d moved(const Eigen::Vector3d& point,
                         const std::vector<Influence>& influences) const;
 
@@ -67,23 +67,23 @@ struct Mapping {
     return similarity * (point + graph.displacement(point));
   }
 
-  /// The point of the reference's space that comes to lie on `point` of the object's.
+  /// The point in the reference's space that is mapped onto `point` in the object's.
   Eigen::Vector3d pull_back(const Eigen::Vector3d& point) const;
 
-  /// How the surface with that normal at a point of the reference is turned: by the rotation
-  /// nearest to the mapping's derivative, then so that the normal stays normal to the surface.
+  /// The rotation of the surface with that normal at a point of the reference: the rotation nearest
+  /// to the mapping's derivative, corrected so that the normal stays normal to the surface.
   Eigen::Matrix3d turn(const Eigen::Vector3d& point, const Eigen::Vector3d& normal) const;
 };
 
-/// Follows a smooth deformation of the object, where one is there: graphs of 1 to `finest_level`,
-/// each finer than the one before, are fitted to one half of the scan (in blocks) and kept only
-/// while they explain the other half better, so that noise is not followed. No graph if none does;
-/// otherwise the similarity is the one nearest to the whole mapping.
+/// Follows a smooth deformation of the object, if there is one. Graphs of levels 1 to
+/// `finest_level`, each finer than the last, are fitted to one half of the scan (in blocks). Each
+/// is kept only if it explains the other half better, so that noise is not followed. Without such a
+/// graph the mapping has none; otherwise its similarity is the one nearest to the whole mapping.
 Mapping fit_deformation(const SurfacePair& surfaces, const Similarity& similarity,
                         const ScalePrior& scale, int finest_level);
 
-/// The same with a coarser and softer graph, fitted to that one half of the scan only: less work,
-/// to compare poses by.
+/// The same with a coarser and softer graph, fitted to that half of the scan only: less work, for
+/// comparing poses.
 Mapping sketch_deformation(const SurfacePair& surfaces, const Similarity& similarity,
                            const ScalePrior& scale, int finest_level);
 

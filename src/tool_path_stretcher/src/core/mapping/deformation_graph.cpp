@@ -39,7 +39,7 @@ std::vector<std::pair<std::size_t, std::size_t>> DeformationGraph::links() const
 
 void DeformationGraph::influences(const Eigen::Vector3d& point,
                                   std::vector<Influence>& found) const {
-  constexpr double kBeyond = 1.5;  // times the nearest node's distance, far off; chosen
+  constexpr double kBeyond = 1.5;  // times the nearest node's distance, for points far off; chosen
   double nearest = std::numeric_limits<double>::infinity();
   for (const Node& node : nodes_)
     nearest = std::min(nearest, (node.at - point).squaredNorm());

@@ -51,7 +51,7 @@ void GraphEquations::add(const std::vector<GraphConstraint>& constraints, double
       const NodeRow weighted = weight * rows[i];
       right_side_.segment<kUnknowns>(columns[i]) += constraint.error * weighted;
       matrix_.block<1, kUnknowns>(growth, columns[i]) += grown * weighted.transpose();
-      for (std::size_t j = 0; j <= i; ++j)  // nodes rise: the lower triangle
+      for (std::size_t j = 0; j <= i; ++j)  // nodes ascend: the lower triangle
         matrix_.block<kUnknowns, kUnknowns>(columns[i], columns[j]).noalias() +=
             weighted * rows[j].transpose();
     }
@@ -104,13 +104,13 @@ void GraphEquations::add_observation(const std::vector<Eigen::Index>& columns,
   for (std::size_t i = 0; i < columns.size(); ++i) {
     const double weighted = weight * values[i];
     right_side_[columns[i]] += weighted * error;
-    for (std::size_t j = 0; j <= i; ++j)  // the columns rise: the lower triangle
+    for (std::size_t j = 0; j <= i; ++j)  // columns ascend: the lower triangle
       matrix_(columns[i], columns[j]) += weighted * values[j];
   }
 }
 
 void GraphEquations::add_prior(const ScalePrior& prior, double current) {
-  constexpr double kFixed = 1e-12;  // deviation of the logarithm of an exact scale; chosen
+  constexpr double kFixed = 1e-12;  // deviation of an exact scale's logarithm; chosen
   if (!prior.is_known()) return;
   const double deviation = prior.is_fixed() ? kFixed : prior.deviation / current;
   const double error = prior.is_fixed() ? 0 : std::log(prior.value / current);
@@ -119,7 +119,7 @@ void GraphEquations::add_prior(const ScalePrior& prior, double current) {
 
 GraphEquations::Step GraphEquations::solve() const {
   Eigen::MatrixXd matrix = matrix_;
-  constexpr double kDamping = 1e-9;  // pins what neither data nor neighbours show
+  constexpr double kDamping = 1e-9;  // pins unknowns that neither data nor neighbours show
   matrix.diagonal() *= 1 + kDamping;
   matrix.diagonal().array() += kDamping;
   Eigen::VectorXd step = matrix.selfadjointView<Eigen::Lower>().llt().solve(right_side_);

@@ -8,55 +8,55 @@
 
 namespace tool_path_stretcher {
 
-/// A point of the undeformed reference, and what moves it.
+/// A point of the undeformed reference and the nodes that move it.
 struct GraphAnchor {
   Eigen::Vector3d at;     // [m]
-  Eigen::Vector3d along;  // unit length: the surface's normal, or out of its rim
+  Eigen::Vector3d along;  // unit length: the surface's normal, or outwards from its rim
   std::vector<DeformationGraph::Influence> influences;
 };
 
-/// An anchor that should move by `error` along `direction`, in the reference's frame, beyond where
-/// the graph puts it now.
+/// An anchor that should move by `error` along `direction` from where the graph puts it now, in the
+/// reference's frame.
 struct GraphConstraint {
   const GraphAnchor* anchor;
-  Eigen::Vector3d target;     // [m] where it should come to lie, along the direction
+  Eigen::Vector3d target;     // [m] where it should be, along the direction
   Eigen::Vector3d direction;  // unit length
   double error;               // [m]
 };
 
-/// Normal equations of a step of all nodes (turn and shift of each) and of the object's growth
+/// Normal equations for a step of all nodes (rotation and shift of each) and the object's growth
 /// about a centre.
 class GraphEquations {
  public:
-  static constexpr int kUnknowns = 6;  // of a node: turn, shift
+  static constexpr int kUnknowns = 6;  // per node: rotation, shift
 
   GraphEquations(const DeformationGraph& graph, const Eigen::Vector3d& centre);
 
-  /// Each constraint counts by its deviation [m], and not at all far beyond it.
+  /// Weights each constraint by the deviation [m]; errors far beyond it do not count.
   void add(const std::vector<GraphConstraint>& constraints, double deviation);
 
-  /// Linked nodes should move each other to where they are (the rigidity term of Sumner 2007).
-  /// @param along one standard deviation from that along the link, as a share of its length
-  /// @param across the same across the link, where nodes turn
+  /// Linked nodes should predict each other's positions (the rigidity term of Sumner 2007).
+  /// @param along one standard deviation along the link, as a share of its length
+  /// @param across the same across the link, where nodes rotate
   void add_rigidity(double along, double across);
 
-  /// A linear observation of single unknowns, with its deviation.
-  /// @param columns rising
+  /// Adds a linear observation of individual unknowns, with its deviation.
+  /// @param columns ascending
   void add_observation(const std::vector<Eigen::Index>& columns, const std::vector<double>& values,
                        double error, double deviation);
 
-  /// Adds how well the object's scale, now `current`, was known before anything was measured.
+  /// Adds the prior knowledge of the object's scale, which is now `current`.
   void add_prior(const ScalePrior& prior, double current);
 
   struct Step {
-    Eigen::VectorXd nodes;  // turn and shift of each
-    double growth;          // by what share the object is larger than was assumed
-    double farthest;        // [m] that a node is shifted
+    Eigen::VectorXd nodes;  // rotation and shift of each
+    double growth;          // share by which the object is larger than assumed
+    double farthest;        // [m] largest shift of a node
   };
   Step solve() const;
 
-  /// The normal equations: six unknowns a node (turn, shift), then the growth. Of the matrix the
-  /// lower triangle.
+  /// The normal equations: six unknowns per node (rotation, shift), then the growth. Only the lower
+  /// triangle of the matrix.
   const Eigen::MatrixXd& matrix() const { return matrix_; }
   const Eigen::VectorXd& right_side() const { return right_side_; }
 
@@ -70,7 +70,8 @@ class GraphEquations {
   Eigen::VectorXd right_side_;
 };
 
-/// What a graph is fitted to: where the mapping puts anchors, and where the scan shows them.
+/// The observations a graph is fitted to: where the mapping puts anchors, and where the scan shows
+/// them.
 struct GraphObservations {
   std::vector<GraphAnchor> surface;
   std::vector<GraphAnchor> rim;
@@ -80,13 +81,13 @@ struct GraphObservations {
   double rim_deviation;                  // [m, reference]
 };
 
-/// What a graph fit of the mapping would see next. The mapping must have nodes.
+/// The observations for the next graph fit of the mapping, which must have nodes.
 GraphObservations observe(const SurfacePair& surfaces, const Mapping& mapping);
 
-/// Distance of the nodes of a graph of that level (1 .. 3) [m].
+/// Node spacing of a graph of that level (1 .. 3) [m].
 double graph_spacing(const Surface& reference, int level);
 
-/// Moves the nodes.
+/// Applies the step to the nodes.
 void take(const GraphEquations::Step& step, DeformationGraph& graph);
 
 }  // namespace tool_path_stretcher

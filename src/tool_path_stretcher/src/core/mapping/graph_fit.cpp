@@ -26,11 +26,11 @@ struct GraphKind {
   double across;   //!< the same: bent and sheared
 };
 
-/// Of what bends far more easily than it stretches, as most parts; chosen. On a straight moulding
-/// nothing but that holds the material between two corners: the normals all lie in one plane, and
-/// the noise that tilts them out of it would let the material slide along.
+/// For parts that bend far more easily than they stretch, as most do; chosen. On a straight
+/// moulding nothing else holds the material between two corners: the normals all lie in one plane,
+/// and the noise that tilts them out of it would let the material slide along.
 constexpr GraphKind kBending = {0.7, 0.002, 0.02};
-/// Of what swells, too; chosen.
+/// For parts that also swell; chosen.
 constexpr GraphKind kSwelling = {1, 0.02, 0.02};
 
 Target target_of(const Surface& object) {
@@ -62,7 +62,8 @@ Anchors rim_anchors(const Surface& reference, const DeformationGraph& graph) {
                              });
 }
 
-/// That an anchor should move by `along` [m, object] in a direction of the object's frame.
+/// The constraint that an anchor should move by `along` [m, object] in a direction given in the
+/// object's frame.
 GraphConstraint constraint_of(const GraphAnchor& anchor, const Eigen::Vector3d& mapped,
                               const Eigen::Vector3d& direction, double along,
                               const Similarity& similarity) {
@@ -72,8 +73,8 @@ GraphConstraint constraint_of(const GraphAnchor& anchor, const Eigen::Vector3d& 
 
 constexpr double kFacesAlike = 0.7;  // cosine: up to 46 degrees; chosen
 
-/// From where the mapping puts points of the reference to the scanned surface beside them, along
-/// its normal, where the two may be the same place.
+/// Constraints from mapped points of the reference to the scanned surface beside them, along its
+/// normal, if the two may be the same place.
 Constraints along_normals(const Anchors& anchors, const Surface& object, const Target& target,
                           const Mapping& mapping, NearestCache& in_target) {
   constexpr double kReach = 3;  // spacings; chosen
@@ -92,7 +93,7 @@ Constraints along_normals(const Anchors& anchors, const Surface& object, const T
   return all_of<GraphConstraint>(anchors.size(), kHundreds, of_anchor);
 }
 
-/// From the reference's edges to the object's, across them.
+/// Constraints from the reference's edges to the object's, across them.
 Constraints along_rims(const Anchors& anchors, const Surface& object, const Mapping& mapping) {
   constexpr double kReach = 0.05;  // of the object's size; chosen
   if (!object.edges.tree) return {};
@@ -126,8 +127,8 @@ void grow(Similarity& similarity, const Eigen::Vector3d& centre, double growth) 
   similarity.translation = fixed - similarity.scale * (similarity.rotation * centre);
 }
 
-/// Fits the graph of a mapping, from where it is.
-/// @param still share of the residuals' deviation: nodes that move less have come to rest
+/// Fits the graph of a mapping, starting from its current state.
+/// @param still share of the residuals' deviation: nodes that move less have settled
 Mapping fit(const SurfacePair& surfaces, const Target& target, const ScalePrior& scale,
             Density density, const GraphKind& kind, double still, Mapping mapping) {
   constexpr int kIterations = 15;        // at most; chosen
@@ -145,7 +146,7 @@ Mapping fit(const SurfacePair& surfaces, const Target& target, const ScalePrior&
   const auto way_of = [](const GraphConstraint& rim) -> const Eigen::Vector3d& {
     return rim.direction;
   };
-  double widest = kWidest * reference.size;  // a bulge is no outlier before it was followed
+  double widest = kWidest * reference.size;  // a bulge is not an outlier until it is followed
   for (int i = 0; i < kIterations; ++i) {
     const Constraints normals = along_normals(surface, object, target, mapping, in_target);
     const Constraints rims = along_rims(rim, object, mapping);
@@ -167,7 +168,7 @@ Mapping fit(const SurfacePair& surfaces, const Target& target, const ScalePrior&
   return mapping;
 }
 
-/// The same mapping, with the part of its graph that is a turn and a shift given to the similarity.
+/// The same mapping, with the rigid part of its graph moved into the similarity.
 Mapping rebased(const Surface& reference, Mapping mapping) {
   const Points from = select(reference.points, reference.samples.few);
   Points to;
@@ -188,7 +189,7 @@ Mapping rebased(const Surface& reference, Mapping mapping) {
   return mapping;
 }
 
-/// A finer graph that moves its nodes as a coarser mapping does.
+/// A finer graph whose nodes move as in a coarser mapping.
 Mapping refined(const Surface& reference, const Mapping& coarse, double spacing) {
   Mapping fine{coarse.similarity, DeformationGraph(reference.points, spacing)};
   for (DeformationGraph::Node& node : fine.graph.nodes()) {
@@ -223,7 +224,7 @@ GraphObservations observe(const SurfacePair& surfaces, const Mapping& mapping) {
 
 namespace {
 
-/// [m^2] mean square of what the rims of both surfaces lie apart
+/// [m^2] mean square distance between the rims of both surfaces
 double rim_square(const SurfacePair& surfaces, const Mapping& mapping) {
   const Constraints rims =
       along_rims(rim_anchors(surfaces.reference, mapping.graph), surfaces.object, mapping);
@@ -233,17 +234,17 @@ double rim_square(const SurfacePair& surfaces, const Mapping& mapping) {
   return rims.empty() ? 0 : sum / static_cast<double>(rims.size());
 }
 
-/// A mapping, and what it leaves of the squares of a trial.
+/// A mapping, and the squares of a trial that remain under it.
 struct Justified {
   Mapping mapping;
   std::vector<double> squares;
 };
 
-/// The finest graph of a kind that explains the half held out better, fitted to the other half.
+/// The finest graph of a kind that explains the held-out half better, fitted to the other half.
 Justified justified_deformation(const SurfacePair& surfaces, const Similarity& similarity,
                                 const ScalePrior& scale, int finest_level, const GraphKind& kind,
                                 const Trial& trial) {
-  constexpr double kStill = 0.1;  // that moves no square residual by more than 1 %; chosen
+  constexpr double kStill = 0.1;  // changes no squared residual by more than 1 %; chosen
   const Surface& reference = surfaces.reference;
   Mapping trained{similarity, {}};
   Justified justified{trained, trial.squares};
@@ -258,8 +259,8 @@ Justified justified_deformation(const SurfacePair& surfaces, const Similarity& s
   return justified;
 }
 
-/// Whether a part swelled rather than bent alone: the half held out shows it, or the rims, where
-/// the surface may slide along itself.
+/// Whether a part swelled and did not only bend. The held-out half shows it, or the rims if the
+/// surface may slide along itself.
 bool swelled(const SurfacePair& surfaces, const Justified& bent, const Justified& swollen) {
   constexpr double kMinGain = 0.3;  // of the mean square at the rims; chosen
   if (swollen.mapping.graph.empty()) return false;

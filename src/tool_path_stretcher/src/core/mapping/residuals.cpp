@@ -13,7 +13,7 @@
 namespace tool_path_stretcher {
 namespace {
 
-/// A mapped point of the reference, and the scanned surface.
+/// A mapped point of the reference relative to the scanned surface.
 struct FromScan {
   double off;           // [m] NaN where it was not scanned
   std::size_t nearest;  // point of the object
@@ -28,7 +28,7 @@ FromScan from_scan(const Surface& object, const Eigen::Vector3d& point) {
   return {known ? std::abs(along) : std::numeric_limits<double>::quiet_NaN(), nearest.index};
 }
 
-/// To be filled in for the surface's sample.
+/// Empty distances for the surface's sample, to be filled in.
 Distances distances_of(const Surface& surface) {
   const std::vector<double> none(surface.samples.most.size());
   return {none, none, surface.samples.patch};
@@ -61,13 +61,13 @@ Distances reference_distances(const SurfacePair& surfaces, const Mapping& mappin
   return distances;
 }
 
-/// Whether a point lies on the other surface, as far as noise, sampling and grid let that be seen.
+/// Whether a point lies on the other surface, to within noise, sampling and grid.
 bool is_explained(const Distances& distances, std::size_t i, double noise) {
   constexpr double kDeviations = 3;  // standard: 0.3 % of normal noise
   return distances.off[i] <= std::max(kDeviations * noise, distances.blur[i]);
 }
 
-/// What the points of one patch say.
+/// The count over the points of one patch.
 struct PatchLead {
   double lead = 0;
   double points = 0;
@@ -79,7 +79,7 @@ PatchLead& patch_of(const Distances& distances, std::size_t i, std::vector<Patch
   return patches[distances.patch[i]];
 }
 
-/// Adds what the points of one surface say.
+/// Adds the evidence from the points of one surface.
 void add(const Distances& first, const Distances& second, double noise, Evidence& sum) {
   constexpr double kMost = 0.5;  // of the points of a patch; chosen
   std::vector<PatchLead> patches;

@@ -46,7 +46,7 @@ Halves split_in_blocks(const Surface& object, double edge) {
   return halves;
 }
 
-/// Whether a scanned point lies beside the reference's surface by little.
+/// Whether a scanned point lies close to the reference's surface laterally.
 bool lies_on_reference(const Residual& residual, const Surface& reference) {
   constexpr double kReach = 2;  // spacings; chosen
   return residual.beside < kReach * reference.spacing;
@@ -65,16 +65,16 @@ std::vector<double> squares_of(const Surface& reference, const std::vector<Resid
   return sums;
 }
 
-/// Sums over the points of one patch: a cell, and the axis that its normals are nearest to.
+/// Sums over the points of one patch: a cell and the axis nearest to its normals.
 struct Patch {
   double count = 0;
   double sum = 0;      // [m]
   double squares = 0;  // [m^2]
 };
 
-/// Share of the square residuals that neighbours on the surface have in common, about 0 where they
-/// are noise: a smooth deformation can explain no more than that. One-way analysis of variance over
-/// patches, each residual counted up to a cut, so that few loose points do not decide.
+/// Share of the squared residuals that neighbours on the surface have in common; about 0 for noise.
+/// A smooth deformation can explain no more than that. One-way analysis of variance over patches,
+/// each residual capped, so that a few loose points do not decide.
 double common_share(const Surface& reference, const std::vector<Residual>& residuals) {
   constexpr double kCell = 0.12;  // of the reference's size; chosen
   constexpr double kCut = 5;      // robust deviations; chosen
@@ -89,7 +89,7 @@ double common_share(const Surface& reference, const std::vector<Residual>& resid
     Eigen::Index axis = 0;
     normal.cwiseAbs().maxCoeff(&axis);
     Patch& patch = patches[{cell_of(residual.pulled_back, kCell * reference.size), axis}];
-    const double error = std::copysign(1.0, normal[axis]) *  // the sign of a cloud's normal is free
+    const double error = std::copysign(1.0, normal[axis]) *  // a cloud's normal has any sign
                          std::clamp(residual.along_normal, -cut, cut);
     patch.count += 1;
     patch.sum += error;
@@ -106,12 +106,12 @@ double common_share(const Surface& reference, const std::vector<Residual>& resid
   return total > 0 ? common / total : 0;
 }
 
-/// Whether so few residuals are more than sampling and grid make of a surface that there is nothing
-/// for a graph to explain: those share their errors, too.
+/// Whether so few residuals exceed the errors of sampling and grid that there is nothing for a
+/// graph to explain. Neighbours share these errors too.
 bool is_resolved(const Surface& reference, const std::vector<Residual>& residuals,
                  double resolution) {
   constexpr double kDeviations = 3;  // standard: 0.3 % of normal noise
-  constexpr double kBlurs = 2;       // the object's, too
+  constexpr double kBlurs = 2;       // includes the object's
   constexpr double kShare = 0.01;    // of the residuals; chosen
   const auto off = std::count_if(residuals.begin(), residuals.end(), [&](const Residual& each) {
     return lies_on_reference(each, reference) &&
@@ -126,7 +126,7 @@ bool is_resolved(const Surface& reference, const std::vector<Residual>& residual
 Trial trial_of(const SurfacePair& surfaces, const Similarity& similarity) {
   constexpr double kBlock = 0.25;     // of the object's size; chosen
   constexpr double kCut = 0.02;       // of the reference's size; chosen
-  constexpr double kMinCommon = 0.1;  // below, there is nothing for a graph to explain; chosen
+  constexpr double kMinCommon = 0.1;  // below: nothing for a graph to explain; chosen
   const auto& [reference, object] = surfaces;
   Trial trial{split_in_blocks(object, kBlock * object.size), kCut * reference.size, {}};
   if (trial.halves.training.points.empty() || trial.halves.held_out.empty()) return trial;

@@ -11,9 +11,9 @@
 namespace tool_path_stretcher {
 namespace {
 
-/// [m] that a segment is led over the surface; 0 where it touches, or where that is farther than
-/// any tool is.
-/// @param touching [m] what touches is no farther off
+/// [m] distance at which a segment is led over the surface; 0 if it touches, or if that is farther
+/// than any tool's stand-off.
+/// @param touching [m] greatest distance of a touching waypoint
 double stand_off_of(std::vector<double> far, double touching, double most) {
   constexpr double kMaxTouching = 0.1;  // of the waypoints; chosen
   const auto touches = [=](double each) { return each <= touching; };

@@ -10,22 +10,23 @@
 
 namespace tool_path_stretcher {
 
-/// How a path lies to the reference's surface: to all of it, where the reference is a part of one.
+/// The position of a path relative to the reference's surface; to the whole surface if the
+/// reference is a part of one.
 struct PathDistances {
   std::vector<double> far;   //!< [m] of each waypoint from the surface
-  std::vector<bool> in_air;  //!< of each waypoint, over all segments: it has no surface beside it
-  double reach = 0;          //!< [m] that a path which touches may be off its surface
+  std::vector<bool> in_air;  //!< of each waypoint, over all segments: no surface beside it
+  double reach = 0;          //!< [m] a touching path may be this far off its surface
 };
 
-/// What of a path is in the air: approach and retract, ways over openings and past the rim. There a
-/// waypoint is farther off than its segment is led over the surface by as much again, and by more
-/// than the surface may be inferred: `max_hole_distance`, or two spacings where those are more. A
-/// segment is led over the surface if nine of ten of its waypoints do not touch and their median is
-/// `max_stand_off` or less.
+/// Finds the waypoints in the air: approach, retract, bridges over openings, ends past the rim. A
+/// segment is led over the surface at a distance d if nine of ten of its waypoints do not touch and
+/// their median distance d is at most `max_stand_off` plus a spacing; otherwise d is 0. A waypoint
+/// is in the air if it is farther off than d by more than d again and by more than the surface may
+/// be inferred: `max_hole_distance`, or two spacings if those are more.
 PathDistances distances_of(const ToolPath& path, const Surface& reference,
                            const StretchParameters& parameters);
 
-/// The path without what is in the air.
+/// The path without the waypoints in the air.
 ToolPath on_surface(const ToolPath& path, const Surface& reference,
                     const StretchParameters& parameters);
 

@@ -33,11 +33,11 @@ Signal signal_of(const std::vector<Track>& tracks) {
 
 namespace {
 
-/// Of one measured waypoint: the mean of the neighbours along the path, by their variance and a
-/// Gaussian of the arc length. The signal is that of the whole path, or that of this place where it
-/// alone stands out, as in a dent.
+/// Smoothed height of one measured waypoint: the mean of the neighbours along the path, weighted by
+/// their variance and a Gaussian of the arc length. The signal is that of the whole path, or of
+/// this place if it alone stands out, as in a dent.
 double smoothed(const Track& track, std::size_t at, double width, double signal) {
-  constexpr double kReach = 6;      // widths: beyond, a Gaussian is near 0
+  constexpr double kReach = 6;      // widths: farther off, a Gaussian is near 0
   constexpr double kStandsOut = 9;  // variances: three standard deviations
   double weights = 0;
   double sum = 0;
@@ -51,7 +51,7 @@ double smoothed(const Track& track, std::size_t at, double width, double signal)
     weights += weight;
   }
   if (weights == 0) return 0;
-  // Neighbours share scanned points: their mean is trusted no more than the best one of them.
+  // Neighbours share scanned points, so their mean is trusted no more than the best of them.
   const double variance = track.stations[at].surface.height_variance;
   const double height = sum / weights;
   return followed(std::max(signal, height * height - kStandsOut * variance), variance) * height;

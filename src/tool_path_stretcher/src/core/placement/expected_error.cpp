@@ -8,8 +8,8 @@
 namespace tool_path_stretcher {
 namespace {
 
-/// [m^2] of the height that a waypoint was set to, given what was measured and how far the mapping
-/// may be off before it was.
+/// [m^2] of the height to which a waypoint was set, from the measurement and the variance of the
+/// mapping before it.
 double height_variance(const PlacedHeight& height, double mapping_variance) {
   const double before = mapping_variance + height.signal_variance;
   if (!height.measured) {
@@ -26,7 +26,7 @@ void expect_along(const MappingError::Covariance& covariance, double common,
   surface.col(1) = height.normal.cross(surface.col(0));
   Eigen::Matrix2d flat = surface.transpose() * covariance.all * surface;
   flat.diagonal().array() += common * common;
-  // What was dented or filed went along the old normal or the new one.
+  // A dented or filed surface moved along either the old normal or the new one.
   const Eigen::Vector2d aside = height.applied * (surface.transpose() * height.slope);
   flat += aside * aside.transpose();
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> solver(flat);
@@ -38,8 +38,8 @@ void expect_along(const MappingError::Covariance& covariance, double common,
   quality.position_measured = most.dot(assumed * most) < most.dot(flat * most) / 2;
 }
 
-/// [rad] of the tool's axes: of the turn about the normal as the mapping has it, and of the tilt as
-/// far as the scanned surface tells more.
+/// [rad] of the tool's axes: the mapping's error about the normal, and the remaining error of the
+/// tilt after the scanned surface was used.
 double turn_error(const PlacedHeight& height) {
   const double about_normal = height.normal.dot(height.turn_covariance * height.normal);
   return std::sqrt(std::max(0.0, about_normal + 2 * height.tilt_variance));

@@ -8,7 +8,7 @@
 namespace tool_path_stretcher {
 
 /// Fills in the expected errors of each waypoint.
-/// @param path the reference's, of which the placement was made
+/// @param path the path on the reference from which the placement was made
 void expect_errors(const ToolPath& path, const MappingError& mapping_error, Placement& placement);
 
 }  // namespace tool_path_stretcher

@@ -16,12 +16,12 @@ double angle_between(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
   return std::atan2(a.cross(b).norm(), a.dot(b));
 }
 
-/// A waypoint as it was placed, and what it was placed by.
+/// A placed waypoint and the corrections applied to it.
 struct Placed {
   const Station& station;
   double height;          // [m, object] over the mapping
   Eigen::Vector3d slope;  // in the reference's frame
-  double longer;          // [m] than the scaled one the stand-off is
+  double longer;          // [m] than the scaled stand-off
 };
 
 Eigen::Isometry3d carry_over(const Eigen::Isometry3d& pose, const Placed& placed,
@@ -71,7 +71,7 @@ double support_radius(const PlacementParameters& parameters, const Surface& obje
   return parameters.support_radius > 0 ? parameters.support_radius : kSpacings * object.spacing;
 }
 
-/// Places the waypoints of one segment after the other.
+/// Places the waypoints, one segment after the other.
 class Placer {
  public:
   Placer(const ToolPath& path, const SurfacePair& surfaces, const Mapping& mapping,

@@ -12,8 +12,8 @@
 namespace tool_path_stretcher {
 namespace {
 
-/// [m] of a point over the surface beside it, along its normal, where it does not touch. Less than
-/// the spacing shows, it touches; between, the two are blended.
+/// [m] height of a point over the surface beside it, along the normal; 0 if it touches, that is if
+/// it is less than the spacing can show. The two are blended in between.
 double stand_off(const Surface& reference, const Eigen::Vector3d& at,
                  const Eigen::Vector3d& normal) {
   constexpr std::size_t kNeighbours = 7;  // chosen
@@ -32,8 +32,8 @@ double stand_off(const Surface& reference, const Eigen::Vector3d& at,
   return apart * height;
 }
 
-/// Whether a tool is led over a segment at one distance: a few waypoints past an edge make no
-/// stand-off of it, nor does a way through the air.
+/// Whether a segment is led over the surface at a constant distance. A few waypoints past an edge,
+/// or a move through the air, are not a stand-off.
 bool is_even(const std::vector<double>& heights) {
   constexpr double kMaxTouching = 0.1;  // of the waypoints; chosen
   constexpr double kUneven = 0.2;       // of the stand-off; chosen

@@ -8,8 +8,8 @@
 
 namespace tool_path_stretcher {
 
-/// [m, reference] that each waypoint of a segment is led over the surface; 0 for all where the
-/// segment has no stand-off.
+/// [m, reference] distance of each waypoint of a segment over the surface; 0 for all if the segment
+/// has no stand-off.
 std::vector<double> stand_offs(const Segment& segment, const Track& track,
                                const Surface& reference);
 

@@ -16,15 +16,15 @@ bool same_face(const Track& track, std::size_t one, std::size_t other) {
   return track.stations[one].surface.normal.dot(track.stations[other].surface.normal) > kSameFace;
 }
 
-/// A measured waypoint of one face, seen from another one.
+/// A measured waypoint of one face, relative to another one.
 struct Seen {
   double along;   // [widths] along the path
-  double weight;  // a Gaussian of that
+  double weight;  // a Gaussian of `along`
   const LocalSurface& surface;
 };
 
 std::vector<Seen> seen_from(const Track& track, std::size_t at, double width) {
-  constexpr double kReach = 3;  // widths: beyond, a Gaussian is near 0
+  constexpr double kReach = 3;  // widths: farther off, a Gaussian is near 0
   std::vector<Seen> seen;
   const Stretch near_by = around(track, at, kReach * width);
   for (std::size_t i = near_by.begin; i < near_by.end; i += near_by.step) {
@@ -39,10 +39,10 @@ std::vector<Seen> seen_from(const Track& track, std::size_t at, double width) {
 struct Trend {
   Eigen::Vector3d here = Eigen::Vector3d::Zero();
   Eigen::Vector3d change = Eigen::Vector3d::Zero();  // per width
-  double variance = 1;                               // of what is here, over that of one waypoint
+  double variance = 1;                               // of `here`, relative to that of one waypoint
 };
 
-/// By weighted least squares; without a change where the waypoints lie too close together for one.
+/// Fits by weighted least squares; without a change if the waypoints are too close together.
 Trend trend_of(const std::vector<Seen>& seen) {
   constexpr double kSpread = 0.1;  // widths squared, mean; chosen
   Eigen::Matrix2d matrix = Eigen::Matrix2d::Zero();
@@ -57,21 +57,21 @@ Trend trend_of(const std::vector<Seen>& seen) {
   const double spread = matrix.determinant() / std::pow(matrix(0, 0), 2);
   if (spread < kSpread) return {right_side.row(0) / matrix(0, 0), Eigen::Vector3d::Zero(), 1};
   const Eigen::Matrix<double, 2, 3> solution = matrix.inverse() * right_side;
-  // Neighbours share scanned points: what they have in common is trusted no more than one of them,
-  // and less to one side of them.
+  // Neighbours share scanned points: their common slope is trusted no more than one of them, and
+  // less to one side of them.
   return {solution.row(0), solution.row(1), matrix(0, 0) * matrix(1, 1) / matrix.determinant()};
 }
 
-/// A slope that neighbours along the path have in common.
+/// The common slope of neighbours along the path.
 struct Slope {
   Eigen::Vector3d here;
   double variance;    // of each component
-  double signal;      // of each component, of the waypoints around: as in a dent
-  bool corroborated;  // by neighbours: one waypoint alone sees an edge rather than a dent
-  bool moved;         // the surface is not only tilted there but moved, as by a dent or a file
+  double signal;      // of each component, of the waypoints around, as in a dent
+  bool corroborated;  // by neighbours: a single waypoint sees an edge rather than a dent
+  bool moved;         // the surface is also displaced there, as by a dent or a file
 };
 
-/// Of each component of the slopes that most of the waypoints around have, beyond their errors.
+/// Variance, per component, of the slopes that most waypoints around show, beyond their errors.
 double signal_around(const std::vector<Seen>& near) {
   constexpr std::size_t kLeast = 5;  // waypoints; chosen
   constexpr double kErrors = 4;      // variances: two standard deviations
@@ -84,8 +84,8 @@ double signal_around(const std::vector<Seen>& near) {
   return variance_beyond(squares, variances, kMedianOfTwo, kErrors);
 }
 
-/// Whether the heights around are what such a slope makes of a surface: where an edge is rounded
-/// off by sampling and mixed points, they are far less.
+/// Whether the heights around are as large as such a slope implies. At an edge rounded off by
+/// sampling and mixed points, they are far smaller.
 bool moved_by(const Eigen::Vector3d& slope, const std::vector<Seen>& near, double width) {
   constexpr double kShare = 0.6;  // of the rise over a width; chosen
   const double least = kShare * slope.norm() * width;
@@ -95,7 +95,7 @@ bool moved_by(const Eigen::Vector3d& slope, const std::vector<Seen>& near, doubl
 
 Slope common_slope(const Track& track, std::size_t at, double width) {
   constexpr double kNear = 0.1;      // of the weight of the waypoint itself; chosen
-  constexpr std::size_t kLeast = 3;  // waypoints that show it, itself too; chosen
+  constexpr std::size_t kLeast = 3;  // waypoints that show it, including itself; chosen
   const std::vector<Seen> seen = seen_from(track, at, width);
   const Trend trend = trend_of(seen);
   double misfit = 0;
@@ -108,16 +108,16 @@ Slope common_slope(const Track& track, std::size_t at, double width) {
   std::vector<Seen> near;
   std::copy_if(seen.begin(), seen.end(), std::back_inserter(near),
                [](const Seen& each) { return each.weight > kNear; });
-  // Less is trusted where they disagree (Birge 1932).
+  // They are trusted less if they disagree (Birge 1932).
   const double scatter = weights > 0 ? std::max(1.0, misfit / weights) : 1;
   return {trend.here, scatter * trend.variance * track.stations[at].surface.slope_variance,
           signal_around(near), near.size() >= kLeast, moved_by(trend.here, near, width)};
 }
 
-/// @param before of each component of the slope, before it was measured
+/// @param before prior variance of each component of the slope
 Tilt measured_tilt(const Slope& slope, double before, bool follow) {
   constexpr double kStandsOut = 9;  // variances: three standard deviations
-  constexpr double kDoubt = 0.01;   // one edge of a hundred is tilted and not moved; chosen
+  constexpr double kDoubt = 0.01;   // one edge in a hundred is tilted but not displaced; chosen
   const double square = slope.here.squaredNorm() / 2;
   const double own = slope.corroborated ? square - kStandsOut * slope.variance : 0;
   const double shown = slope.moved ? std::max(slope.signal, own) : 0;

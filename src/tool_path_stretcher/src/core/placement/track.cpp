@@ -7,7 +7,7 @@
 namespace tool_path_stretcher {
 namespace {
 
-/// The same surface with the normal to its other side.
+/// Flips the normal to the surface's other side.
 void turn_over(LocalSurface& surface) {
   surface.normal = -surface.normal;
   surface.height = -surface.height;
@@ -48,7 +48,7 @@ Track survey(const Segment& segment, const std::vector<bool>& in_air, bool has_o
                 (at - segment.waypoints[i - 1].pose.translation()).norm();
     }
     Station station = station_at(segment.waypoints[i], in_air[i], has_orientation, ground);
-    // The sign of a cloud's normal is free; heights are compared along the path.
+    // The sign of a cloud's normal is arbitrary, but heights are compared along the path.
     const bool turned =
         i > 0 && station.surface.normal.dot(track.stations.back().surface.normal) < 0;
     if (turned) turn_over(station.surface);

@@ -10,16 +10,16 @@
 
 namespace tool_path_stretcher {
 
-/// A waypoint, the surface beside it, and what the mapping makes of both.
+/// A waypoint, the surface beside it, and both as mapped.
 struct Station {
   bool in_air;
   LocalSurface surface;
-  Eigen::Vector3d normal;  //!< of the surface; in the air the tool's axis, where that is known
-  Eigen::Matrix3d turn;    //!< of that, from the reference to the object
-  Eigen::Matrix3d turn_covariance;      //!< [rad^2, object] of that
-  MappingError::Covariance covariance;  //!< of where the mapping puts the waypoint
+  Eigen::Vector3d normal;           //!< of the surface; in the air: the tool's axis, if known
+  Eigen::Matrix3d turn;             //!< rotation at the waypoint, from the reference to the object
+  Eigen::Matrix3d turn_covariance;  //!< [rad^2, object] of `turn`
+  MappingError::Covariance covariance;  //!< of the mapped position of the waypoint
 
-  /// Of each component of the tilt.
+  /// Variance of each component of the tilt.
   double tilt_variance() const;
 };
 
@@ -29,15 +29,15 @@ struct Track {
   std::vector<double> arc_length;  //!< [m, object] to each waypoint
 };
 
-/// What a path is laid on.
+/// What the placement is based on.
 struct Ground {
   const Mapping& mapping;
   const MappingError& mapping_error;
   const LocalSurfaceFitter& fitter;
 };
 
-/// @param in_air of each waypoint: nothing is learned of the scan there
-/// @param has_orientation of the path
+/// @param in_air of each waypoint: the scan tells nothing there
+/// @param has_orientation whether the path has orientations
 Track survey(const Segment& segment, const std::vector<bool>& in_air, bool has_orientation,
              const Ground& ground);
 
@@ -48,18 +48,20 @@ struct Stretch {
   std::size_t step;
 };
 
-/// Those within `reach` [m] along the path; not all where they are far denser than any scan.
+/// The waypoints within `reach` [m] along the path; not all of them if they are far denser than any
+/// scan.
 Stretch around(const Track& track, std::size_t at, double reach);
 
-/// Of each waypoint the measured ones before and after it; as many as there are waypoints: none.
+/// The measured waypoints before and after a waypoint. An index equal to the number of waypoints
+/// means none.
 struct Neighbours {
   std::size_t before;
   std::size_t after;
 };
 std::vector<Neighbours> measured_neighbours(const Track& track);
 
-/// Between what two measured neighbours have, by arc length; what the only one has past the last
-/// of them.
+/// Interpolates between two measured neighbours by arc length. Beyond the last measured waypoint,
+/// returns its value.
 template <class Value>
 Value between(const Track& track, const Neighbours& neighbours, std::size_t at, const Value& none,
               const std::vector<Value>& values) {
@@ -73,8 +75,8 @@ Value between(const Track& track, const Neighbours& neighbours, std::size_t at, 
   return (1 - share) * values[neighbours.before] + share * values[neighbours.after];
 }
 
-/// Part of a measurement that is followed: all of it where the signal is far above its variance,
-/// nothing where it is noise (Wiener 1949).
+/// Share of a measurement that is followed: 1 if the signal is far above its variance, 0 if it is
+/// noise (Wiener 1949).
 double followed(double signal, double variance);
 
 }  // namespace tool_path_stretcher

@@ -41,9 +41,9 @@ double Laid::explains(const Surface& object, const Piece& piece) const {
 
 Piece explained(const Surface& object, const Laid& reference, double least_of_scraps) {
   constexpr double kSmooth = 0.87;   // cosine, 30 degrees; chosen
-  constexpr double kEdge = 0.25;     // spacings that neighbours lie off the plane; chosen
-  constexpr double kOfFace = 0.2;    // of its points, or it is a stranger; chosen
-  constexpr std::size_t kFace = 50;  // points: fewer may be noise or an edge; chosen
+  constexpr double kEdge = 0.25;     // spacings of neighbours from the plane; chosen
+  constexpr double kOfFace = 0.2;    // of its points; below: a stranger; chosen
+  constexpr std::size_t kFace = 50;  // points; fewer may be noise or an edge; chosen
   const auto smooth = [&](std::size_t one, std::size_t other) {
     if (object.blur[one] > kEdge * object.spacing) return false;
     return std::abs(object.normals[one].dot(object.normals[other])) > kSmooth;
@@ -59,7 +59,7 @@ Piece explained(const Surface& object, const Laid& reference, double least_of_sc
 }
 
 bool lie_apart(const Points& one, const Points& other) {
-  constexpr double kOther = 0.05;  // of the size: another thing; chosen
+  constexpr double kOther = 0.05;  // of the size; beyond: another thing; chosen
   const PrincipalFrame a = principal_frame(one);
   const PrincipalFrame b = principal_frame(other);
   return (a.centroid - b.centroid).norm() > kOther * a.deviation.norm();

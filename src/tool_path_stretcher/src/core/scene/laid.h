@@ -9,16 +9,16 @@
 
 namespace tool_path_stretcher {
 
-/// Points of a scan that belong together, by their indices.
+/// Indices of scan points that belong together.
 using Piece = std::vector<std::size_t>;
 
-/// Spacings between neighbours of one thing; chosen.
+/// Greatest distance between neighbours of one thing, in spacings; chosen.
 constexpr double kGap = 2.5;
 
-/// Where a reference came to lie, by points of it.
+/// A reference in its found pose, given by points.
 class Laid {
  public:
-  /// @param more of it, as dense as they may be
+  /// @param further points of it, of any density
   Laid(const Points& reference, double inlier_distance, const Points& more = {});
 
   const Points& points() const { return tree_.points(); }
@@ -27,7 +27,7 @@ class Laid {
     return tree_.nearest(point).squared_distance <= reach_ * reach_;
   }
 
-  /// The share of the object's points chosen that it explains.
+  /// The share of the given object points that it explains.
   double explains(const Surface& object, const Piece& piece) const;
 
  private:
@@ -35,14 +35,13 @@ class Laid {
   double reach_;  // [m]
 };
 
-/// The points but for the faces that the reference, as it came to lie, does not explain. A face is
-/// smooth, and ends where the scan has a gap or an edge.
-/// @param least_of_scraps share of its points that must be explained of what is too small to be a
-/// face
-/// @return in rising order
+/// The points without the faces that the laid reference does not explain. A face is smooth and ends
+/// at a gap or an edge of the scan.
+/// @param least_of_scraps least explained share of the points of a piece too small to be a face
+/// @return indices, ascending
 Piece explained(const Surface& object, const Laid& reference, double least_of_scraps);
 
-/// Whether a reference came to lie on two things, by points of it.
+/// Whether two poses of a reference, given by points, lie on two different things.
 bool lie_apart(const Points& one, const Points& other);
 
 }  // namespace tool_path_stretcher

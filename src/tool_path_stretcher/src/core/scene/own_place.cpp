@@ -16,7 +16,7 @@
 namespace tool_path_stretcher {
 namespace {
 
-/// The points chosen, with the others beside them.
+/// The chosen points, with the rest stored as `others`.
 Surface part_of(const Surface& object, const Piece& chosen) {
   Surface part;
   part.oriented = object.oriented;
@@ -33,18 +33,19 @@ Surface part_of(const Surface& object, const Piece& chosen) {
   return part;
 }
 
-/// What a reference was found to explain.
+/// The result for a place that the reference explains.
 struct Found {
   StretchResult result;
-  bool whole;  // the reference is shown whole enough to be sure that this is the part
+  bool whole;  // enough of the reference is shown to be sure that this is the part
 };
 
-/// Onto what the reference explains where it came to lie; nothing where that is all, or too little.
+/// Stretches onto what the reference explains at its found pose; none if that is everything, or too
+/// little.
 std::optional<Found> found_there(const Surface& object, const StretchResult& start,
                                  const StretchParameters& parameters, const StretchOnto& onto) {
-  constexpr double kUseful = 0.4;   // of the points explained: else the pose is none; chosen
+  constexpr double kUseful = 0.4;   // of the points explained; below: useless pose; chosen
   constexpr double kLeast = 0.1;    // of the scan's points; chosen
-  constexpr double kOverlap = 0.7;  // of the reference: its own place is shown whole; chosen
+  constexpr double kOverlap = 0.7;  // of the reference: its place is shown whole; chosen
   if (!start.aligned || start.inlier_ratio < kUseful) return std::nullopt;
   constexpr double kScraps = 0;  // may be noise or an edge: they stay
   const Piece own =
@@ -73,10 +74,10 @@ StretchResult on_two_things(const ToolPath& path, const StretchResult& one,
   return result;
 }
 
-/// Pieces with gaps around them that may be the object alone, largest first.
+/// Pieces surrounded by gaps that may be the object alone, largest first.
 std::vector<Piece> large_pieces(const Surface& object) {
   constexpr double kLarge = 0.2;    // of the scan's points; chosen
-  constexpr double kWhole = 0.95;   // of them: it was tried; chosen
+  constexpr double kWhole = 0.95;   // of the scan's points; above: already tried; chosen
   constexpr std::size_t kMost = 2;  // each is a whole search; chosen
   const auto all = static_cast<double>(object.points.size());
   std::vector<Piece> pieces = clusters(*object.tree, kGap * object.spacing);
@@ -89,7 +90,7 @@ std::vector<Piece> large_pieces(const Surface& object) {
   return pieces;
 }
 
-/// The one that is shown whole, accepted if any is; `first` where none is.
+/// The result shown whole, an accepted one if there is any; `first` if none is whole.
 StretchResult best_of(const ToolPath& path, const std::vector<Found>& found,
                       const StretchResult& first) {
   const Found* best = nullptr;
@@ -112,7 +113,7 @@ StretchResult best_of(const ToolPath& path, const std::vector<Found>& found,
 StretchResult stretch_in_own_place(const Surface& object, const ToolPath& path,
                                    const StretchResult& first, const StretchParameters& parameters,
                                    const StretchOnto& onto) {
-  constexpr double kFound = 0.5;  // of a piece's points that what was found explains; chosen
+  constexpr double kFound = 0.5;  // of a piece's points explained by a found place; chosen
   std::vector<Found> found;
   const auto look_from = [&](const StretchResult& start) {
     if (auto there = found_there(object, start, parameters, onto)) found.push_back(*there);

@@ -9,17 +9,17 @@
 
 namespace tool_path_stretcher {
 
-/// Stretches onto one surface of a scan.
+/// Stretches the path onto one surface of a scan.
 using StretchOnto = std::function<StretchResult(const Surface& object)>;
 
-/// Clamps, floor or a neighbour may be in the scan: the reference has to explain its own place
-/// whole, not the whole scan. The scan is taken apart into pieces with gaps between them; those
-/// that the reference does not explain are other things, and it is stretched onto the rest. Where
-/// the pose found is of no use, the largest pieces are tried alone first.
+/// Clamps, floor or a neighbour may be in the scan, so the reference has to explain all of its own
+/// place, not the whole scan. Takes the scan apart into pieces separated by gaps. Pieces that the
+/// reference does not explain are other things; the path is stretched onto the rest. If the pose
+/// found is of no use, the largest pieces are tried alone first.
 /// @param path for the poses of an ambiguous result
-/// @param first of the whole scan: refused because the reference explains too little of it
-/// @return what was found so, accepted or refused for another reason; ambiguous where the reference
-/// fits onto two things; `first` where nothing was
+/// @param first result for the whole scan: refused because the reference explains too little of it
+/// @return the result found this way, accepted or refused for another reason; ambiguous if the
+/// reference fits onto two things; `first` if nothing was found
 StretchResult stretch_in_own_place(const Surface& object, const ToolPath& path,
                                    const StretchResult& first, const StretchParameters& parameters,
                                    const StretchOnto& onto);

@@ -13,7 +13,7 @@ namespace {
 /// An even cover of all rotations: the super-Fibonacci spiral (Alexa 2022).
 std::vector<Eigen::Matrix3d> even_rotations(int count) {
   const double phi = std::sqrt(2.0);
-  constexpr double kPsi = 1.533751168755204288118041;  // of psi^4 = psi + 4 (Alexa 2022)
+  constexpr double kPsi = 1.533751168755204288118041;  // solves psi^4 = psi + 4 (Alexa 2022)
   std::vector<Eigen::Matrix3d> rotations;
   for (int i = 0; i < count; ++i) {
     const double s = i + 0.5;

@@ -10,40 +10,39 @@
 
 namespace tool_path_stretcher {
 
-/// The 24 turns of a cube.
+/// The 24 rotations of a cube.
 std::vector<Eigen::Matrix3d> cube_turns();
 
-/// Poses to start from: the principal frames in all the turns of a cube (flips and near equal axes
-/// included).
+/// Initial poses: the principal frames in all rotations of a cube (covers flips and nearly equal
+/// axes).
 std::vector<Similarity> principal_guesses(const CoarsePair& surfaces);
 
-/// Poses to start from where those fail: a sweep about the vertical, and an even cover of all
-/// rotations.
+/// Initial poses if those fail: a sweep about the vertical, and an even cover of all rotations.
 std::vector<Similarity> even_guesses(const CoarsePair& surfaces);
 
-/// Poses to start from where one is known roughly: that one, the same with the object's middle on
-/// the reference's, and those turned from it by up to the angle it may be off.
+/// Initial poses around a roughly known one: that pose, the same with the centres of object and
+/// reference aligned, and rotations from it by up to its greatest error.
 std::vector<Similarity> guesses_about(const Prior& prior, const CoarsePair& surfaces);
 
-/// Poses to start from where either surface may show only a part of what the other shows: three
-/// frames that a missing part turns little (the principal axes, those of the smallest rectangle,
-/// and those along which the normals spread) laid on each other in all the turns of a cube, each
-/// sized by one axis alone, with ends or middles together along each axis, and half way or wholly
-/// out of each other along one of them.
+/// Initial poses if either surface may show only a part of the other. Three frames that a missing
+/// part rotates little (the principal axes, those of the smallest rectangle, and those along which
+/// the normals spread) are laid on each other in all rotations of a cube. Each is sized by one axis
+/// alone, with ends or centres aligned along each axis, and half or wholly shifted out of each
+/// other along one axis.
 std::vector<Similarity> overlapping_guesses(const CoarsePair& surfaces);
 
-/// A pose with the reference turned within itself about its middle: as a cube is, in small steps
-/// about each principal axis, turned over or not, and evenly in all ways, since a part may have
-/// symmetries about axes that are not principal ones. A nearly symmetric part is most easily taken
-/// for one of these poses, so they are looked at before one is believed.
+/// Poses with the reference rotated within itself about its centre: in all rotations of a cube, in
+/// small steps about each principal axis, flipped or not, and in an even cover of all rotations,
+/// since a part may be symmetric about other axes. A nearly symmetric part is most easily mistaken
+/// for one of these poses, so they are tried before a pose is accepted.
 std::vector<Similarity> turned_in_itself(const PrincipalFrame& frame, const Similarity& pose);
 
-/// A pose with the reference turned about the axes that it is nearly round about, to where its
-/// holes, teeth or marks, which are all that tells one turn from another, come to lie on the
-/// object's again. Best first; none where it is not nearly round, or round altogether.
+/// Poses with the reference rotated about an axis about which it is nearly round, so that its
+/// holes, teeth or marks coincide with the object's again. Only these tell one rotation from
+/// another. Best first; none if the reference is not nearly round, or perfectly round.
 std::vector<Similarity> turned_to_marks(const SurfacePair& surfaces, const Similarity& pose);
 
-/// The guess with its scale in the range; the middle of the reference stays where it is.
+/// The guess with its scale clamped to the range; the reference's centre stays where it is.
 Similarity clamped(const Similarity& guess, const ScaleRange& scales,
                    const Eigen::Vector3d& middle);
 

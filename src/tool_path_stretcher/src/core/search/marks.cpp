@@ -18,7 +18,7 @@ Similarity turned_about(const Axis& axis, double angle, const Similarity& pose) 
   return {pose.scale, turn * pose.rotation, turn * (pose.translation - axis.at) + axis.at};
 }
 
-/// A point off a surface, and how far it may be by sampling and grid [m].
+/// Distance of a point from a surface, and the part of it that sampling and grid may cause [m].
 struct Off {
   double distance;
   double blur;
@@ -31,7 +31,7 @@ Off off_of(const Surface& surface, const Eigen::Vector3d& point) {
   return {std::hypot(along, std::max(0.0, beside - surface.spacing)), surface.blur[nearest.index]};
 }
 
-/// The points of both surfaces that a turn about an axis takes off the other one.
+/// The points of both surfaces that a rotation about an axis takes off the other surface.
 class Marks {
  public:
   Marks(const SurfacePair& surfaces, const Similarity& pose, const Axis& axis)
@@ -39,7 +39,7 @@ class Marks {
     constexpr double kOff = 4;  // times the resolution; chosen
     const double least = kOff * resolution(surfaces, pose.scale);
     std::vector<Similarity> turned;
-    for (const double angle : {0.31, 1.93, 4.03})  // [rad] chosen: not those of a symmetry
+    for (const double angle : {0.31, 1.93, 4.03})  // [rad] not angles of a symmetry; chosen
       turned.push_back(turned_about(axis, angle, pose));
     const auto tells = [&](const auto& off_at, double blur) {
       return std::any_of(turned.begin(), turned.end(), [&](const Similarity& each) {
@@ -63,7 +63,7 @@ class Marks {
   double share() const { return share_; }
   std::size_t count() const { return of_object_.size() + of_reference_.size(); }
 
-  /// [m] farthest of them from the axis
+  /// [m] greatest distance of these points from the axis
   double radius() const {
     double most = 0;
     for (const std::size_t i : of_object_) {
@@ -73,7 +73,7 @@ class Marks {
     return most;
   }
 
-  /// Sum of their square distances at an angle, each up to a cap.
+  /// Sum of their squared distances at an angle, each capped.
   double cost(double angle) const {
     constexpr double kCap = 1.5;  // mean spacings; chosen
     const Similarity turned = turned_about(axis_, angle, pose_);
@@ -87,7 +87,7 @@ class Marks {
   }
 
  private:
-  /// The points for which a condition holds.
+  /// The points that satisfy a condition.
   template <class Condition>
   static std::vector<std::size_t> those_of(const std::vector<std::size_t>& points,
                                            const Condition& condition) {
@@ -126,7 +126,7 @@ class Marks {
   double share_ = 0;
 };
 
-/// Whether most of the object stays on the reference when that is turned about an axis.
+/// Whether most of the object stays on the reference when the reference is rotated about an axis.
 bool is_nearly_round(const SurfacePair& surfaces, const Similarity& pose, const Axis& axis) {
   constexpr double kShare = 0.6;  // of the object's points; chosen
   constexpr double kTurn = 1;     // [rad] chosen
@@ -144,7 +144,7 @@ struct Turn {
   double cost;
 };
 
-/// The angles at which the marks fit better than at those beside them, and than at most others.
+/// The angles at which the marks fit better than at neighbouring angles and at most others.
 std::vector<Turn> fitting_turns(const Marks& marks, double spacing) {
   constexpr std::size_t kFewest = 36;  // steps of a turn; chosen
   constexpr std::size_t kMost = 480;   // steps of a turn; chosen
@@ -157,7 +157,7 @@ std::vector<Turn> fitting_turns(const Marks& marks, double spacing) {
   });
   const double clear = kClear * quantile(costs, 0.5);
   std::vector<Turn> turns;
-  for (std::size_t i = kWindow; i < steps; ++i) {  // those about zero are the pose itself
+  for (std::size_t i = kWindow; i < steps; ++i) {  // angles near zero are the pose itself
     bool least = costs[i] < clear;
     for (std::size_t k = 1; k <= kWindow && least; ++k)
       least = costs[i] <= costs[(i + k) % steps] && costs[i] <= costs[(i + steps - k) % steps];
@@ -172,7 +172,7 @@ std::vector<Turn> fitting_turns(const Marks& marks, double spacing) {
 }  // namespace
 
 std::vector<Similarity> turned_to_marks(const SurfacePair& surfaces, const Similarity& pose) {
-  constexpr double kNearlyRound = 0.4;  // share of the points that tell, at most; chosen
+  constexpr double kNearlyRound = 0.4;  // greatest share of telling points; chosen
   constexpr std::size_t kFewest = 8;    // points; chosen
   constexpr std::size_t kMost = 16;     // turns; chosen
   std::vector<Similarity> turned;

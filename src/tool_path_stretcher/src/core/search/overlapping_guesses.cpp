@@ -9,7 +9,7 @@
 namespace tool_path_stretcher {
 namespace {
 
-/// The box of points in a frame turned by `axes` (its columns).
+/// The bounding box of points in a frame rotated by `axes` (its columns).
 Eigen::AlignedBox3d extent_along(const Eigen::Matrix3d& axes, const Points& points) {
   Eigen::AlignedBox3d box;
   for (const Eigen::Vector3d& point : points)
@@ -17,8 +17,8 @@ Eigen::AlignedBox3d extent_along(const Eigen::Matrix3d& axes, const Points& poin
   return box;
 }
 
-/// The axes along which the points fill the smallest rectangle, seen along the last one. Unlike
-/// the principal axes of a plate they stay along its edges where a part of it is missing.
+/// The axes along which the points fill the smallest rectangle, seen along the last axis. Unlike
+/// principal axes, they stay along a plate's edges if a part of the plate is missing.
 Eigen::Matrix3d rectangle_axes(const CoarseSurface& surface) {
   constexpr int kSteps = 60;  // of a right angle
   Eigen::Matrix3d best = surface.frame.axes;
@@ -34,8 +34,8 @@ Eigen::Matrix3d rectangle_axes(const CoarseSurface& surface) {
   return best;
 }
 
-/// The axes along which the normals spread: square to the faces of a boxy part, whatever share of
-/// each face is missing.
+/// The axes along which the normals spread: perpendicular to the faces of a boxy part, whatever
+/// share of each face is missing.
 Eigen::Matrix3d normal_axes(const CoarseSurface& surface) {
   Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
   for (const Eigen::Vector3d& normal : surface.normals)
@@ -45,7 +45,7 @@ Eigen::Matrix3d normal_axes(const CoarseSurface& surface) {
   return axes;
 }
 
-/// A stretch of one axis.
+/// An interval on one axis.
 struct Stretch {
   double from;
   double to;
@@ -53,19 +53,19 @@ struct Stretch {
   double length() const { return to - from; }
 };
 
-/// Where the middle of a stretch of some length may lie: at the other's, or with an end at an end.
+/// Possible middles of an interval of some length: at the other's middle, or with ends aligned.
 std::vector<double> inside(const Stretch& other, double length) {
   constexpr double kAlike = 0.1;
   if (std::abs(other.length() - length) < kAlike * other.length()) return {other.middle()};
   return {other.from + length / 2, other.middle(), other.to - length / 2};
 }
 
-/// The same with a quarter or half of it out at either end.
+/// The same with a quarter or half of it beyond either end.
 std::vector<double> half_out(const Stretch& other, double length) {
   return {other.from, other.from + length / 4, other.to - length / 4, other.to};
 }
 
-/// All places of the reference, turned and sized, about the object's box.
+/// All placements of the rotated and scaled reference around the object's box.
 class Places {
  public:
   Places(const Eigen::Matrix3d& axes, const Eigen::AlignedBox3d& object_box,
@@ -107,7 +107,8 @@ class Places {
   std::array<std::vector<double>, 3> out_;
 };
 
-/// The reference's axes in all the turns of a cube laid along the object's, sized by each axis.
+/// Adds the reference's axes laid along the object's in all rotations of a cube, sized by each
+/// axis.
 void add_turns(const CoarseSurface& reference, const Eigen::Matrix3d& reference_axes,
                const CoarseSurface& object, const Eigen::Matrix3d& object_axes,
                std::vector<Similarity>& guesses) {

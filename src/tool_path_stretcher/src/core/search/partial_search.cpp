@@ -33,7 +33,7 @@ double roughness(const Surface& surface) {
   return robust_deviation(std::move(distances));
 }
 
-/// No part is sized by so much: beyond, an axis was laid on one that it is not.
+/// Whether a part may have this scale. Otherwise an axis was matched to a wrong one.
 bool is_sane(double scale) {
   constexpr double kLeast = 0.4;  // chosen: a little beyond min_scale and max_scale
   constexpr double kMost = 2.5;

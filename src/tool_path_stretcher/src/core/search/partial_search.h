@@ -7,18 +7,19 @@
 
 namespace tool_path_stretcher {
 
-/// The poses where both surfaces agree as far as both are known: either may show only a part of
-/// what the other shows, as long as they share about half of it.
+/// Finds the poses in which both surfaces agree where both are known. Either may show only a part
+/// of the other, as long as they share about half of it.
 class PartialSearch {
  public:
   PartialSearch(const SurfacePair& surfaces, const Prior& prior)
       : surfaces_(surfaces), prior_(prior) {}
 
-  /// Distinct poses, best first, each with its agreement; searched for at the first call. None
+  /// Distinct poses, best first, each with its agreement; searched on the first call. None
   /// contradicts the prior.
   const std::vector<Candidate>& fits();
 
-  /// Whether the best agrees to the noise, undeformed, and next to nothing contradicts it.
+  /// Whether the best pose, undeformed, agrees to within the noise and almost nothing contradicts
+  /// it.
   bool is_certain();
 
   Agreement agreement(const Mapping& mapping);
@@ -30,7 +31,7 @@ class PartialSearch {
 
   const SurfacePair surfaces_;
   const Prior prior_;
-  std::optional<Comparison> comparison_;  // most scans need none
+  std::optional<Comparison> comparison_;  // created on demand: most scans need none
   std::optional<std::vector<Candidate>> fits_;
   std::optional<bool> certain_;
 };

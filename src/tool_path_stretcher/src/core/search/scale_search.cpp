@@ -11,16 +11,16 @@
 namespace tool_path_stretcher {
 namespace {
 
-constexpr int kIterations = 6;  // of a scale; chosen
+constexpr int kIterations = 6;  // per scale; chosen
 
-/// The start, grown to another scale about the object's centre.
+/// The start, scaled about the object's centre.
 Similarity at_scale(const Similarity& start, double scale, const Eigen::Vector3d& centre) {
   const double growth = scale / start.scale;
   return {scale, start.rotation, centre + growth * (start.translation - centre)};
 }
 
-/// Inliers of both directions, each as a share; measured in the object's frame, so that a shrunken
-/// reference gains nothing. Inliers count more the nearer they are: many scales reach them all.
+/// Shares of inliers in both directions, measured in the object's frame so that a shrunken
+/// reference gains nothing. Nearer inliers count more, since many scales reach all of them.
 double score_of(const SurfacePair& surfaces, const Similarity& similarity, double inlier_distance) {
   const Explanation explanation = explain(surfaces, {similarity, {}}, inlier_distance);
   const auto share = [inlier_distance](const std::vector<double>& distances) {

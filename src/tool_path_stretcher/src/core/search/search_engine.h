@@ -9,7 +9,7 @@
 
 namespace tool_path_stretcher {
 
-/// Poses found before, near which no other is kept, and the bulk cost of the best [m].
+/// Poses found before, near which no other is kept, and the best one's bulk cost [m].
 struct FoundPoses {
   std::vector<Similarity> poses;
   double bulk_cost = kNever;
@@ -18,11 +18,11 @@ struct FoundPoses {
 /// Runs the rounds of a search.
 class SearchEngine {
  public:
-  /// Improves a pose as a round says, and rates it. False: it contradicts what is known. Called for
-  /// several poses at once.
+  /// Improves a pose for a round and rates it. Returns false if it contradicts the prior. Called
+  /// for several poses in parallel.
   using Improve = std::function<bool(const Round& round, Candidate& candidate)>;
 
-  /// @param probes points of the reference by which poses are told apart [m]
+  /// @param probes points of the reference that tell poses apart [m]
   /// @param size of the object [m]
   SearchEngine(Points probes, double size, Improve improve)
       : probes_(std::move(probes)), size_(size), improve_(std::move(improve)) {}
@@ -35,7 +35,7 @@ class SearchEngine {
 
   void improve(const Round& round, std::vector<Candidate>& candidates) const;
 
-  /// Keeps what a round keeps, best first.
+  /// Keeps the candidates that the round keeps, best first.
   void select(const Round& round, std::vector<Candidate>& candidates,
               const FoundPoses& found = {}) const;
 

@@ -35,7 +35,7 @@ class WholeSearch {
         engine_(coarse_.reference.queries, surfaces.object.size,
                 [this](const Round& round, Candidate& each) { return improve(round, each); }) {}
 
-  /// Tries more poses coarsely; the distinct ones among all stay.
+  /// Tries more poses coarsely, and keeps the distinct ones among all.
   void try_coarsely(const std::vector<Similarity>& guesses) {
     std::vector<Candidate> tried;
     for (const Similarity& guess : allowed(guesses))
@@ -45,20 +45,20 @@ class WholeSearch {
     append(tried, untried_);
   }
 
-  /// Takes poses that were improved already.
+  /// Adds poses that are already improved.
   void take(const std::vector<Candidate>& candidates) {
     for (const Candidate& each : candidates)
       untried_.push_back({each.similarity, each.cost, each.cost});
   }
 
-  /// Tries the best pose turned within itself, where that is not hopeless from the start. Of a part
-  /// that is explained already all are kept that explain it as well.
+  /// Tries the best pose rotated within itself, unless that is hopeless from the start. If the part
+  /// is already explained, keeps all that explain it as well.
   void try_turned() {
     constexpr double kHopeless = 5;  // times the cost: even rotations are up to 10 degrees off
     const Similarity best = candidates_.front().similarity;
     if (settled()) {
       rounds_ = kTurnedRounds;
-      refined_.clear();  // only few of those were kept
+      refined_.clear();  // only a few of those were kept
     }
     std::vector<Similarity> promising;
     const double cost = cost_as_it_is(best);
@@ -71,8 +71,8 @@ class WholeSearch {
     try_coarsely(promising);
   }
 
-  /// Takes the best pose turned about an axis that it is nearly round about, and the best of those
-  /// that were turned over.
+  /// Adds the best pose, and the best one of those turned over, rotated about an axis about which
+  /// it is nearly round.
   void try_turned_to_marks() {
     const Similarity best = candidates_.front().similarity;
     std::vector<Similarity> starts = {best};
@@ -80,7 +80,7 @@ class WholeSearch {
       const Eigen::Vector3d in_reference = best.rotation.transpose() * axis.along;
       const auto over =
           std::find_if(candidates_.begin(), candidates_.end(), [&](const Candidate& each) {
-            constexpr double kOver = -0.9;  // cosine: turned by more than 154 degrees; chosen
+            constexpr double kOver = -0.9;  // cosine: rotated by more than 154 degrees; chosen
             return (each.similarity.rotation * in_reference).dot(axis.along) < kOver;
           });
       if (over != candidates_.end()) starts.push_back(over->similarity);
@@ -97,7 +97,7 @@ class WholeSearch {
            candidates_);
   }
 
-  /// Refines what was tried coarsely since the last time and does not lead to a known pose.
+  /// Refines the poses tried coarsely since the last call that do not lead to a known pose.
   void refine_tried() {
     engine_.select(rounds_.near, untried_, {refined_});
     for (const Candidate& each : untried_)
@@ -111,8 +111,8 @@ class WholeSearch {
     engine_.select(rounds_.fine, candidates_);
   }
 
-  /// Whether the best pose leaves nothing to explain, as it is or slightly deformed: most of the
-  /// object lies on the reference, and most of the reference was found again.
+  /// Whether the best pose, undeformed or slightly deformed, leaves nothing to explain: most of the
+  /// object lies on the reference, and most of the reference was found.
   bool settled() {
     constexpr int kLevel = 2;  // of the deformation graph, of 3; chosen
     if (candidates_.empty()) return false;
@@ -158,7 +158,7 @@ class WholeSearch {
     constexpr double kReach = 0.4;       // of the object's spacing; chosen
     constexpr double kExplained = 0.88;  // of the object's points; chosen, as all shares here
     constexpr double kCovered = 0.8;     // of the reference's points
-    constexpr double kExplainedBesideOthers = 0.75;  // floor and loose points are in the scan, too
+    constexpr double kExplainedBesideOthers = 0.75;  // the scan includes floor and loose points
     constexpr double kWhollyCovered = 0.95;
     const Explanation found = explain(surfaces_, mapping, kReach * surfaces_.object.spacing);
     const auto reaches = [&found](double explained, double covered) {
@@ -173,8 +173,8 @@ class WholeSearch {
 
   /// The guesses that may lead to a pose that the prior allows.
   std::vector<Similarity> allowed(const std::vector<Similarity>& guesses) const {
-    constexpr double kAngle = 0.5;     // [rad] that the search may turn a guess; chosen
-    constexpr double kDistance = 0.5;  // of the object's size that it may move one; chosen
+    constexpr double kAngle = 0.5;     // [rad] by which the search may rotate a guess; chosen
+    constexpr double kDistance = 0.5;  // of the object's size: may move a guess; chosen
     const Prior wide = prior_.widened(kAngle, kDistance * surfaces_.object.size);
     std::vector<Similarity> result;
     for (const Similarity& guess : guesses) {
@@ -193,9 +193,9 @@ class WholeSearch {
   SearchEngine engine_;
   WholeRounds rounds_ = kWholeRounds;
   std::vector<Candidate> untried_;
-  std::vector<Similarity> refined_;  // as they were before
+  std::vector<Similarity> refined_;  // as before refinement
   std::vector<Candidate> candidates_;
-  std::optional<Settling> settling_;  // of the best pose when it was last asked for
+  std::optional<Settling> settling_;  // of the best pose at the last call
 };
 
 }  // namespace

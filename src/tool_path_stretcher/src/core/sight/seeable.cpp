@@ -15,11 +15,12 @@ namespace tool_path_stretcher {
 namespace {
 
 constexpr double kGrazing = 0.17;  // cosine: 80 degrees; a line on a steeper face is not found
-// Sine of 20 degrees: a viewer is not afar, and sees walls from beside that stand along the mean
+// Sine of 20 degrees: a viewer is not at infinity, and also sees walls parallel to the mean
 // direction.
 constexpr double kBeside = 0.34;
 
-/// How high a surface reaches towards a viewer afar, cell by cell of a plane across the direction.
+/// Height of a surface towards a viewer at infinity, per cell of a plane perpendicular to the
+/// direction.
 class DepthImage {
  public:
   DepthImage(const Surface& surface, const Eigen::Vector3d& direction)
@@ -34,7 +35,7 @@ class DepthImage {
     }
   }
 
-  /// Whether something stands before a point. A face up to 80 degrees from the direction does not
+  /// Whether something is in front of a point. A face up to 80 degrees from the direction does not
   /// hide itself.
   bool hides(const Eigen::Vector3d& point) const {
     constexpr double kSteps = 2;  // cells to the far side of a neighbouring one
@@ -61,9 +62,9 @@ class DepthImage {
   std::unordered_map<std::uint64_t, double> highest_;
 };
 
-/// Tells the edges of the surface from where only the sight of a part of it ends.
+/// Tells real edges of the surface from places where only the visible part ends.
 void mark_horizon(const Surface& surface, Rim& rim) {
-  constexpr double kReach = 2;   // spacings: samples lie so far beside their edge; chosen
+  constexpr double kReach = 2;   // spacings: distance of samples from their edge; chosen
   constexpr double kBent = 0.8;  // cosine: an edge bends by more than 37 degrees; chosen
   std::vector<KdTree::Neighbour> neighbours;
   const auto ends_at = [&](const Eigen::Vector3d& point) {
@@ -93,7 +94,7 @@ Surface seeable_part(const Surface& surface, const Points& directions) {
       const double facing = surface.normals[i].dot(direction);
       const double side = !surface.closed && facing < 0 ? -1 : 1;
       if (seen[i] || side * facing < kGrazing - kBeside) continue;
-      // From off the surface: a wall does not lie under its own upper edge.
+      // Tests from off the surface, so that a wall is not hidden by its own upper edge.
       seen[i] =
           !image.hides(surface.points[i] + side * kOff * surface.spacing * surface.normals[i]);
     }

@@ -8,7 +8,7 @@ namespace tool_path_stretcher {
 
 Border::Border(const Surface& surface, const Points& points, double spacing)
     : spacing_(spacing), at_border_(points.size(), false) {
-  constexpr double kGaps = 6;  // spacings between points of the rim that were found; chosen
+  constexpr double kGaps = 6;  // spacings between the rim points that were found; chosen
   Points rim;
   for (std::size_t i = 0; i < surface.rim.points.size(); ++i) {
     if (!surface.rim.open[i]) continue;

@@ -9,16 +9,16 @@
 
 namespace tool_path_stretcher {
 
-/// Where a surface ends, and nothing is known of what lies beyond: the part may go on there.
+/// Where a surface ends. Nothing is known beyond it: the part may continue there.
 class Border {
  public:
-  /// @param points of the surface, all or some of them evenly spread
-  /// @param spacing [m] of those
+  /// @param points of the surface: all, or an even selection
+  /// @param spacing [m] of these points
   Border(const Surface& surface, const Points& points, double spacing);
 
   /// Whether a point lies beyond the border rather than off the surface.
-  /// @param nearest index of the nearest of the points
-  /// @param distance [m] to that
+  /// @param nearest index of the nearest of these points
+  /// @param distance [m] to that point
   bool is_beyond(const Eigen::Vector3d& point, std::size_t nearest, double distance) const {
     return at_border_[nearest] && is_outward(point, distance);
   }

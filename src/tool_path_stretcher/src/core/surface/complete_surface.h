@@ -6,8 +6,8 @@
 
 namespace tool_path_stretcher {
 
-/// Adds all that follows from the points: tree, size, spacing, rim, samples, and normals where
-/// there are none yet.
+/// Adds everything derived from the points: tree, size, spacing, rim, samples, and normals if there
+/// are none yet.
 void complete(Surface& surface);
 
 }  // namespace tool_path_stretcher

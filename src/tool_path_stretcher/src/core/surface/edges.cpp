@@ -15,8 +15,8 @@ namespace {
 
 constexpr std::size_t kNeighbours = 20;  // chosen: as for the rim
 
-/// The two neighbours whose normals, whatever their signs, differ most; none where no edge bends so
-/// little.
+/// The two neighbours whose normals differ most, ignoring signs; none if they differ too little for
+/// an edge.
 std::optional<std::pair<std::size_t, std::size_t>> most_bent(
     const Surface& surface, const std::vector<KdTree::Neighbour>& neighbours) {
   constexpr double kBent = 0.8;  // cosine: an edge bends by more than 37 degrees; chosen
@@ -35,7 +35,7 @@ std::optional<std::pair<std::size_t, std::size_t>> most_bent(
   return found;
 }
 
-/// The middle of the neighbours on a face; none where there are too few.
+/// The mean of the neighbours on a face; none if there are too few.
 std::optional<Eigen::Vector3d> middle_of_face(const Surface& surface,
                                               const std::vector<KdTree::Neighbour>& neighbours,
                                               const Eigen::Vector3d& normal) {
@@ -52,9 +52,9 @@ std::optional<Eigen::Vector3d> middle_of_face(const Surface& surface,
   return sum / count;
 }
 
-/// Where a point lies on the edge of two faces: how each of them ends there.
+/// If a point lies on the edge of two faces: the outward direction of each face there.
 std::vector<Eigen::Vector3d> outward_of_faces(const Surface& surface, std::size_t i) {
-  constexpr double kOnFace = 0.7;  // spacings: samples lie so far beside their edge; chosen
+  constexpr double kOnFace = 0.7;  // spacings: distance of samples from their edge; chosen
   const Eigen::Vector3d& point = surface.points[i];
   std::vector<KdTree::Neighbour> neighbours;
   surface.tree->nearest(point, kNeighbours, neighbours);
@@ -93,7 +93,7 @@ Rim edges_of(const Surface& surface) {
 
 std::optional<std::size_t> edge_facing(const Rim& edges, const Eigen::Vector3d& at,
                                        const Eigen::Vector3d& outward) {
-  constexpr std::size_t kLookedAt = 6;  // chosen: at a corner three faces end, each twice
+  constexpr std::size_t kLookedAt = 6;  // at a corner three faces end, each twice; chosen
   constexpr double kFacesAlike = 0.7;   // cosine: up to 46 degrees; chosen
   std::vector<KdTree::Neighbour> neighbours;
   edges.tree->nearest(at, kLookedAt, neighbours);

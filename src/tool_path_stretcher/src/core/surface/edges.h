@@ -9,11 +9,11 @@
 
 namespace tool_path_stretcher {
 
-/// The rim of a surface, and the edges where it goes on around a corner.
+/// The rim of a surface, and the edges where it continues around a corner.
 /// @param surface with points, normals, tree, spacing and rim
 Rim edges_of(const Surface& surface);
 
-/// Of the few nearest edges the nearest that faces about the same way; none if none does.
+/// The nearest of the few nearest edges that faces about the same way; none if none does.
 /// @param at [m] @param outward unit length
 std::optional<std::size_t> edge_facing(const Rim& edges, const Eigen::Vector3d& at,
                                        const Eigen::Vector3d& outward);

@@ -19,7 +19,7 @@ struct BesideIt {
 
 using Neighbours = std::vector<std::vector<BesideIt>>;
 
-/// Without triangles of two equal corners, and with one of each three corners.
+/// Removes triangles with two equal corners, and duplicates.
 std::vector<Triangle> distinct(const std::vector<Triangle>& triangles) {
   std::set<Triangle> known;
   std::vector<Triangle> kept;
@@ -32,7 +32,7 @@ std::vector<Triangle> distinct(const std::vector<Triangle>& triangles) {
   return kept;
 }
 
-/// Across edges where two triangles meet.
+/// Neighbours across edges where two triangles meet.
 Neighbours neighbours_of(const std::vector<Triangle>& triangles) {
   Neighbours neighbours(triangles.size());
   for_each_edge(sides_of(triangles), [&neighbours](auto first, auto last) {
@@ -46,11 +46,11 @@ Neighbours neighbours_of(const std::vector<Triangle>& triangles) {
   return neighbours;
 }
 
-/// Triangles that hang together, and which of them are wound the other way round than the first.
+/// Connected triangles, and which of them are wound opposite to the first.
 struct Piece {
   std::vector<std::size_t> triangles;
-  std::vector<bool> turned;  // of each of those
-  bool closed = true;        // each has three neighbours
+  std::vector<bool> turned;  // of each triangle
+  bool closed = true;        // each triangle has three neighbours
 };
 
 Piece piece_from(std::size_t first, const Neighbours& neighbours, std::vector<bool>& taken) {
@@ -69,8 +69,9 @@ Piece piece_from(std::size_t first, const Neighbours& neighbours, std::vector<bo
   return piece;
 }
 
-/// Below 0 where the piece, wound as its first triangle, should be turned over: [m^3] what it
-/// encloses where it is closed, else [m^2] how much more of its area is wound so than otherwise.
+/// Below 0 if the piece, wound like its first triangle, should be turned over. If closed: the
+/// enclosed volume [m^3]; otherwise: how much more of its area [m^2] is wound this way than the
+/// other.
 double rightness(const Points& vertices, const std::vector<Triangle>& triangles,
                  const Piece& piece) {
   const Eigen::Vector3d& origin = vertices[triangles[piece.triangles.front()][0]];

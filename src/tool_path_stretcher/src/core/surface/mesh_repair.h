@@ -8,11 +8,11 @@
 
 namespace tool_path_stretcher {
 
-/// The triangles of a mesh as they should have been exported: without those of two equal corners
-/// and those that are there twice, neighbours wound alike, and pieces that enclose something wound
-/// with the outside out. Where three and more triangles meet along an edge nothing is concluded
-/// from it. An open piece keeps the winding of most of its area.
-/// @param vertices [m] no two in the same place
+/// The triangles of a mesh as they should have been exported: without degenerate (two equal
+/// corners) and duplicate triangles, with consistent winding, and with closed pieces wound outside
+/// out. Edges shared by three or more triangles say nothing about the winding. An open piece keeps
+/// the winding of most of its area.
+/// @param vertices [m] all distinct
 std::vector<Triangle> repaired(const Points& vertices, const std::vector<Triangle>& triangles);
 
 }  // namespace tool_path_stretcher

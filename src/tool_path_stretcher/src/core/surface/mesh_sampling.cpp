@@ -18,10 +18,10 @@ namespace {
 
 using scan_cell_common::UnusableInput;
 
-constexpr double kFewestSamples = 20000;  // chosen: as many as are compared, see Samples::most
+constexpr double kFewestSamples = 20000;  // as many as are compared, see Samples::most; chosen
 constexpr double kMaxSamples = 100000;    // chosen
 
-/// Fans of triangles; vertices in the same place become one, as STL repeats them.
+/// Splits polygons into fans of triangles and merges coincident vertices, which STL repeats.
 std::vector<Triangle> triangles_of(const pcl::PolygonMesh& mesh, const Points& vertices,
                                    const std::string& name) {
   std::vector<std::uint32_t> order(vertices.size());
@@ -64,7 +64,7 @@ Eigen::Vector2d spread_in_triangle(std::size_t i) {
   return uv;
 }
 
-/// Samples at equal steps of the summed area: each triangle gets its share to within one.
+/// Samples at equal steps of the summed area: each triangle gets its share, to within one sample.
 void sample(const Points& vertices, const std::vector<Triangle>& triangles, double area,
             std::size_t count, Surface& surface) {
   const double step = area / static_cast<double>(count);

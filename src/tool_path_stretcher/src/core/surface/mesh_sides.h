@@ -13,13 +13,13 @@ namespace tool_path_stretcher {
 struct Side {
   std::uint32_t low, high;  //!< vertices
   std::size_t triangle;
-  bool forward;  //!< it runs from the lower vertex to the higher one
+  bool forward;  //!< runs from the lower vertex to the higher one
 };
 
-/// Of all triangles, those of one edge behind each other.
+/// The sides of all triangles, with those of one edge adjacent.
 std::vector<Side> sides_of(const std::vector<Triangle>& triangles);
 
-/// Calls `visit` with the first side of each edge, and the one behind its last.
+/// Calls `visit` with the first side of each edge and the one past its last.
 template <class Visit>
 void for_each_edge(const std::vector<Side>& sides, const Visit& visit) {
   for (auto first = sides.begin(); first != sides.end();) {

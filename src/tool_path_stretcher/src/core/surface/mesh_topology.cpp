@@ -13,11 +13,11 @@
 namespace tool_path_stretcher {
 namespace {
 
-/// Where more triangles run along an edge one way than the other: there the mesh ends, or its
-/// triangles do not agree.
+/// The edges along which more triangles run one way than the other: there the mesh ends, or its
+/// triangles disagree.
 struct MeshBorder {
-  std::multimap<std::uint32_t, std::uint32_t> edges;  // so many begin at each vertex as end there
-  bool alike = true;                                  // the mesh ends wherever they are
+  std::multimap<std::uint32_t, std::uint32_t> edges;  // as many begin at each vertex as end there
+  bool alike = true;                                  // the mesh ends at all of them
 };
 
 MeshBorder border_of(const std::vector<Side>& sides) {
@@ -32,13 +32,13 @@ MeshBorder border_of(const std::vector<Side>& sides) {
     border.alike = border.alike && std::abs(over) < 2;
   });
   std::sort(edges.begin(),
-            edges.end());  // the lines of a border do not depend on the order of triangles
+            edges.end());  // makes the lines of a border independent of the order of triangles
   border.edges.insert(edges.begin(), edges.end());
   return border;
 }
 
-/// [m^2] twice the area that spans each line of a border: nothing for a crack, whose sides run
-/// there and back.
+/// [m^2] twice the area spanned by each line of a border; zero for a crack, whose sides run there
+/// and back.
 double twice_open_area(const Points& vertices, MeshBorder border) {
   double sum = 0;
   while (!border.edges.empty()) {
@@ -55,7 +55,7 @@ double twice_open_area(const Points& vertices, MeshBorder border) {
   return sum;
 }
 
-/// [m^3] six times what the triangles enclose; below 0 where they are wound the wrong way round.
+/// [m^3] six times the enclosed volume; below 0 if the triangles are wound inside out.
 double enclosed(const Points& vertices, const std::vector<Triangle>& triangles) {
   const Eigen::Vector3d& origin = vertices[triangles.front()[0]];
   double sum = 0;

@@ -10,19 +10,19 @@
 
 namespace tool_path_stretcher {
 
-/// Indices of its corners.
+/// Indices of the corners.
 using Triangle = std::array<std::uint32_t, 3>;
 
-/// What the triangles of a mesh say of its sides.
+/// What the triangles of a mesh tell about its sides.
 struct MeshTopology {
-  bool oriented = false;    //!< they agree on which side is out, but for few where it is closed
-  bool closed = false;      //!< oriented, and they enclose the part but for small holes
-  bool inside_out = false;  //!< closed, and wound so that the inside is out
+  bool oriented = false;    //!< they agree on which side is out; if closed, a few may not
+  bool closed = false;      //!< oriented, and they enclose the part except for small holes
+  bool inside_out = false;  //!< closed, and wound inside out
 };
 
-/// @param vertices [m] no two in the same place
+/// @param vertices [m] all distinct
 /// @param triangles at least one
-/// @param area [m^2] of all of them
+/// @param area [m^2] of all triangles
 MeshTopology topology_of(const Points& vertices, const std::vector<Triangle>& triangles,
                          double area);
 

@@ -12,7 +12,7 @@
 namespace tool_path_stretcher {
 namespace {
 
-constexpr double kApart = 0.94;  // cosine: 20 degrees; chosen: what is hidden changes little within
+constexpr double kApart = 0.94;  // cosine: 20 degrees, where hidden areas change little; chosen
 
 struct Cluster {
   Eigen::Vector3d sum;
@@ -20,7 +20,7 @@ struct Cluster {
 };
 
 /// A vector that a point carries.
-/// @param offsets as offsets_of() gives them
+/// @param offsets as returned by offsets_of()
 Eigen::Vector3d vector_at(const scan_cell_common::CloudView& cloud, std::size_t point,
                           const std::vector<std::size_t>& offsets) {
   Eigen::Vector3f result;

@@ -63,12 +63,12 @@ Eigen::Vector3d normal_of(const Points& points, std::vector<KdTree::Neighbour> n
   return solver.eigenvectors().col(0).normalized();
 }
 
-/// Unit vector in the surface away from the neighbours; zero where they lie all around the point.
-/// A smooth surface ends where the directions to the neighbours leave a wide gap.
+/// Unit vector tangential to the surface, away from the neighbours; zero if they lie all around the
+/// point. A smooth surface ends where the directions to the neighbours leave a wide gap.
 Eigen::Vector3d outward_at(const Points& points, const Eigen::Vector3d& at,
                            const Eigen::Vector3d& normal,
                            const std::vector<KdTree::Neighbour>& neighbours) {
-  constexpr double kGap = 2.4;  // [rad] 20 neighbours placed at random leave it in 0.2 % of cases
+  constexpr double kGap = 2.4;  // [rad] 20 random neighbours leave it in 0.2 % of cases
   const Eigen::Vector3d tangent = normal.unitOrthogonal();
   const Eigen::Vector3d bitangent = normal.cross(tangent);
   std::vector<double> angles;
@@ -88,7 +88,7 @@ Eigen::Vector3d outward_at(const Points& points, const Eigen::Vector3d& at,
   return gap > kGap ? Eigen::Vector3d(-sum.normalized()) : Eigen::Vector3d::Zero();
 }
 
-/// Whether all neighbours lie in the plane of the surface: beside a sharp edge some lie below it.
+/// Whether all neighbours lie in the plane of the surface. Beside a sharp edge, some lie below it.
 bool is_flat_at(const Points& points, const Eigen::Vector3d& at, const Eigen::Vector3d& normal,
                 const std::vector<KdTree::Neighbour>& neighbours) {
   constexpr double kSteepest = 0.5;  // sine: 30 degrees; chosen
@@ -98,7 +98,7 @@ bool is_flat_at(const Points& points, const Eigen::Vector3d& at, const Eigen::Ve
   });
 }
 
-/// [m] farthest of the nearest neighbours from the plane of the surface at a point
+/// [m] greatest distance of the nearest neighbours from the surface's plane at a point
 double blur_at(const Points& points, const Eigen::Vector3d& at, const Eigen::Vector3d& normal,
                const std::vector<KdTree::Neighbour>& neighbours) {
   constexpr std::size_t kNearest = 9;  // eight around it, and the point itself; chosen
@@ -108,13 +108,13 @@ double blur_at(const Points& points, const Eigen::Vector3d& at, const Eigen::Vec
   return most;
 }
 
-/// What the neighbours of a point say of the surface there.
+/// Properties of the surface at a point, from its neighbours.
 struct Surrounded {
   double spacing;           // [m]
   Eigen::Vector3d normal;   // unit length
   double blur;              // [m]
-  Eigen::Vector3d outward;  // unit length, zero where the surface goes on all around
-  bool flat;                // nothing but the surface's plane about it
+  Eigen::Vector3d outward;  // unit length; zero if the surface continues all around
+  bool flat;                // all neighbours lie in the surface's plane
 };
 
 Surrounded surrounded(const Surface& surface, std::size_t i, bool needs_normal) {
@@ -122,7 +122,7 @@ Surrounded surrounded(const Surface& surface, std::size_t i, bool needs_normal) 
   std::vector<KdTree::Neighbour> neighbours;
   surface.tree->nearest(point, kRimNeighbours, neighbours);
   Surrounded result;
-  // The area that the neighbours fill, shared among them.
+  // The area filled by the neighbours, divided among them.
   result.spacing =
       std::sqrt(M_PI * neighbours.back().squared_distance / static_cast<double>(neighbours.size()));
   result.normal = needs_normal ? normal_of(surface.points, neighbours) : surface.normals[i];
@@ -133,7 +133,7 @@ Surrounded surrounded(const Surface& surface, std::size_t i, bool needs_normal) 
   return result;
 }
 
-/// The number of the patch that each point lies in: two spacings wide, of one face.
+/// The patch number of each point. A patch is two spacings wide and lies on one face.
 std::vector<std::size_t> patches_of(const Surface& surface) {
   constexpr double kWide = 2;  // spacings; chosen
   std::map<std::array<long, 4>, std::size_t> numbers;
@@ -155,7 +155,7 @@ double middle_of(std::vector<double> values) {
   return *middle;
 }
 
-/// Loose points are left out: spread over space, few of them would fill half of a sample.
+/// Leaves out loose points: a few of them, spread over space, would fill half of a sample.
 Samples samples_of(const Points& points, const std::vector<double>& spacings, double typical) {
   constexpr double kLoose = 3;  // times the typical spacing; chosen
   std::vector<std::size_t> dense;
@@ -226,8 +226,8 @@ void complete(Surface& surface) {
 
 namespace {
 
-/// On the grid, or on a coarser one where that leaves more points than are of use: denser than
-/// their noise, they blur the normals and say nothing new.
+/// Reduces on the grid, or on a coarser one if that leaves more points than are useful: points
+/// denser than their noise blur the normals and tell nothing new.
 Points reduced(const Points& cloud, Eigen::Vector3d leaf, const std::string& name) {
   constexpr double kMost = 50000;  // points; chosen
   constexpr double kAim = 0.9;     // of those; chosen
@@ -243,7 +243,7 @@ Points reduced(const Points& cloud, Eigen::Vector3d leaf, const std::string& nam
   }
 }
 
-/// A few points far away would hide the size and axes of all others.
+/// A few points far away would distort the size and axes of the whole.
 void check_together(const Points& points, const std::string& name) {
   constexpr double kFar = 1000;  // times the median distance from the middle; chosen
   Eigen::Vector3d middle;

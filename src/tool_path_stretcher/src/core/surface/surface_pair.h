@@ -14,8 +14,9 @@ struct SurfacePair {
   const Surface& object;
 };
 
-/// [m] diagonal of the box in which evenly spread points would lie as far apart as the surface's:
-/// the variances of one are w^2 / 12. Limits that are a share of the part are one of this.
+/// [m] the part's length: the diagonal of the box whose evenly spread points would have the same
+/// spread as the surface's. The variances of a box are w^2 / 12. Limits given as a share of the
+/// part's length refer to this.
 inline double length_of(const Surface& surface) {
   return std::sqrt(12.0) * surface.size;
 }

@@ -23,7 +23,7 @@ Cloud::Ptr cloud_of(const Points& points) {
   return std::make_shared<Cloud>(to_cloud(points));
 }
 
-/// p' = s T^-1 p, where T leads from the object at the reference's size to the reference.
+/// p' = s T^-1 p, where T maps the object, at the reference's size, to the reference.
 Similarity inverse_of(const Eigen::Matrix4f& to_reference, double scale) {
   const Eigen::Matrix4d back = to_reference.cast<double>().inverse();
   return {scale, nearest_rotation(back.topLeftCorner<3, 3>()), scale * back.topRightCorner<3, 1>()};
@@ -42,7 +42,7 @@ struct Sample {
   std::size_t inliers = 0;
 };
 
-/// RANSAC, then least squares over its inliers (the thesis' figure 31); none where nothing fits.
+/// RANSAC, then least squares over its inliers (the thesis' figure 31); none if nothing fits.
 std::optional<Sample> consensus(const Points& reference, const KdTree& tree, const Points& object,
                                 double threshold) {
   Points nearest;
@@ -79,7 +79,7 @@ Consensus register_by_consensus(const Points& reference, const Points& object,
   Consensus best;
   for (int i = -scales.steps; i <= scales.steps; ++i) {
     const double scale = scales.scale * (1 + scales.range * i / scales.steps);
-    // The threshold shrinks with the object, or the smallest would have most inliers.
+    // The threshold shrinks with the object; otherwise the smallest would have the most inliers.
     const auto sample =
         consensus(target, tree, less(object, object_centre, scale), inlier_distance / scale);
     progress(static_cast<double>(i + scales.steps + 1) / (2 * scales.steps + 1));

@@ -10,14 +10,14 @@ namespace {
 
 constexpr Eigen::Index kNodeUnknowns = GraphEquations::kUnknowns;
 
-/// How far the links of a graph are strained, root mean square.
+/// RMS strain of a graph's links.
 struct Strain {
   double along;   // stretched
   double across;  // bent and sheared
 };
 
-/// How far the part may be strained where the scan does not show it: as far as it was seen to be,
-/// and a little even where it was not.
+/// The strain that the part may have where the scan does not show it: the strain seen, and at least
+/// a little.
 Strain strain_of(const DeformationGraph& graph) {
   constexpr double kMinAlong = 5e-4;   // of a length; chosen
   constexpr double kMinAcross = 2e-3;  // of a length; chosen
@@ -39,8 +39,8 @@ Strain strain_of(const DeformationGraph& graph) {
           std::max(kMinAcross, std::sqrt(across / count))};
 }
 
-/// The pose as a whole is known from before, if only to the size of the part: by the mean of the
-/// nodes' turns and shifts.
+/// Adds the prior of the overall pose, if only to the size of the part, through the mean of the
+/// nodes' rotations and shifts.
 void add_pose(const DeformationGraph& graph, double angle, double distance,
               GraphEquations& equations) {
   const auto nodes = static_cast<Eigen::Index>(graph.nodes().size());
@@ -61,7 +61,7 @@ NormalEquations normal_equations(const GraphEquations& equations) {
 
 PoseDeviation pose_deviation(const Surface& reference, const Mapping& mapping, const Prior& prior) {
   constexpr double kAnyAngle = 1;             // [rad] chosen
-  const double uniform = 1 / std::sqrt(3.0);  // of what may be anywhere up to a limit
+  const double uniform = 1 / std::sqrt(3.0);  // for a uniform distribution up to a limit
   if (!prior.pose) return {kAnyAngle, reference.size};
   return {std::min(kAnyAngle, uniform * prior.pose->angle),
           std::min(reference.size, uniform * prior.pose->distance / mapping.similarity.scale)};

@@ -12,20 +12,20 @@ struct NormalEquations {
   Eigen::VectorXd right_side;
 };
 
-/// One standard deviation of the pose as it is known from before: of the turn [rad] and of the
-/// shift [m].
+/// One standard deviation of the prior pose: of the rotation [rad] and of the shift [m].
 struct PoseDeviation {
   double angle;
   double distance;
 };
 PoseDeviation pose_deviation(const Surface& reference, const Mapping& mapping, const Prior& prior);
 
-/// What was known before.
+/// The prior knowledge.
 /// @param centre [m, reference] about which the object grows
 NormalEquations knowledge(const Mapping& mapping, const Prior& prior, const PoseDeviation& pose,
                           const Eigen::Vector3d& centre);
 
-/// That the part is stiff: a link is strained no farther than the links were seen to be.
+/// The assumption that the part is stiff: a link is strained no more than the links were seen to
+/// be.
 NormalEquations rigidity(const Mapping& mapping, const Eigen::Vector3d& centre);
 
 }  // namespace tool_path_stretcher

@@ -16,7 +16,7 @@ namespace tool_path_stretcher {
 namespace {
 
 constexpr Eigen::Index kUnknowns = GraphEquations::kUnknowns;
-// Of how far the nodes disagree; calibrated on parts as a line scanner sees them.
+// Factors for the disagreement of the nodes; calibrated on parts as a line scanner sees them.
 constexpr double kInterpolatedPlace = 0.6;
 constexpr double kInterpolatedTurn = 0.5;
 constexpr double kIndependentRims = 0.1;  // of their points: neighbours along an edge share errors
@@ -45,7 +45,7 @@ std::optional<Eigen::MatrixXd> posterior_covariance(const Eigen::MatrixXd& infor
 
 MappingError::MappingError(const SurfacePair& surfaces, const Mapping& mapping, const Prior& prior)
     : mapping_(mapping), centre_(principal_frame(surfaces.reference.points).centroid) {
-  constexpr int kLevel = 2;              // where no graph was justified; chosen
+  constexpr int kLevel = 2;              // if no graph was justified; chosen
   constexpr double kExact = 1e-6;        // of the size: a deviation above 0; chosen
   constexpr double kRimDeviation = 0.5;  // spacings: how far inside its rim a surface is sampled
   constexpr double kIndependent = 0.25;  // of the points: neighbours share errors; chosen
@@ -57,7 +57,7 @@ MappingError::MappingError(const SurfacePair& surfaces, const Mapping& mapping, 
   GraphObservations seen = observe(surfaces, mapping_);
   seen.normal_deviation = std::max(seen.normal_deviation, kExact * reference.size);
   seen.rim_deviation = std::max(seen.rim_deviation, kRimDeviation * reference.spacing);
-  // The anchors looked at stand for all those that the mapping was fitted to.
+  // The sampled anchors stand for all those that the mapping was fitted to.
   const double share = kIndependent * static_cast<double>(reference.samples.many.size()) /
                        static_cast<double>(reference.samples.few.size());
   const PoseDeviation pose = pose_deviation(reference, mapping, prior);
@@ -187,8 +187,8 @@ Eigen::Matrix3d MappingError::of_turn(const Eigen::Vector3d& point, const Eigen:
   const Eigen::Vector3d one = turn * tangent;
   const Eigen::Vector3d other = turn * bitangent;
   const Eigen::Vector3d upward = turn * normal;
-  // Two tangents tell how a surface turns: about each of them by how the other one rises, and about
-  // the normal by half of how far they turn to each other.
+  // Two tangents tell how a surface rotates: about each of them, by how the other one rises; about
+  // the normal, by half of how far they rotate relative to each other.
   const Eigen::Matrix<double, 3, Eigen::Dynamic> turning =
       one * (upward.transpose() * across.jacobian) - other * (upward.transpose() * along.jacobian) +
       0.5 * upward * (other.transpose() * along.jacobian - one.transpose() * across.jacobian);

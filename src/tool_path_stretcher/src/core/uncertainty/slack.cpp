@@ -54,7 +54,7 @@ Matrix6d seemingly_held(const Held& normals, const Held& rims, bool edges_are_kn
       edges_are_known ? Matrix6d(beyond_noise(normals.steadily, normals.noise) +
                                  beyond_noise(rims.steadily, rims.noise))
                       : beyond_noise(normals.steadily + rims.steadily, normals.noise + rims.noise);
-  Vector6d known;  // [m] deviations of the motions from before
+  Vector6d known;  // [m] prior deviations of the motions
   known << Eigen::Vector3d::Constant(pose.angle * turns.size),
       Eigen::Vector3d::Constant(pose.distance);
   const Matrix6d prior = known.cwiseAbs2().cwiseInverse().asDiagonal();

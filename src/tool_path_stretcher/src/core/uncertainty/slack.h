@@ -9,34 +9,35 @@ namespace tool_path_stretcher {
 using Matrix6d = Eigen::Matrix<double, 6, 6>;
 using Motions = Eigen::Matrix<double, 3, 6>;
 
-/// The centre of turns [m, reference], and the arm that makes a turn as long as a shift [m].
+/// The centre of rotation [m, reference], and the arm that converts a rotation to a length [m].
 struct Turns {
   Eigen::Vector3d centre;
   double size;
 };
 
-/// How a point moves with a turn (of a point at the arm's length by one metre) and a shift.
+/// The motion of a point under a rotation (that moves a point at the arm's length by one metre) and
+/// a shift.
 Motions rigid_motions(const Eigen::Vector3d& point, const Turns& turns);
 
-/// What constraints of one kind hold of the rigid motions.
+/// How constraints of one kind hold the rigid motions.
 struct Held {
-  Matrix6d all = Matrix6d::Zero();       // if each direction was exact
-  Matrix6d steadily = Matrix6d::Zero();  // of the steady ones
-  Matrix6d noise = Matrix6d::Zero();     // of those, what their noise holds
+  Matrix6d all = Matrix6d::Zero();       // if each direction were exact
+  Matrix6d steadily = Matrix6d::Zero();  // by the steady directions
+  Matrix6d noise = Matrix6d::Zero();     // the part of that held by their noise
 };
 
-/// Directions that are far less steady than most, as beside edges and in loose points, are not
-/// taken to hold anything.
-/// @param off [rad] how far each direction may be off
+/// Directions far less steady than most, as beside edges and at loose points, are assumed to hold
+/// nothing.
+/// @param off [rad] error of each direction
 /// @param weight [1/m^2] of each
 Held held_by(const std::vector<GraphConstraint>& constraints, const std::vector<double>& off,
              double weight, const Turns& turns);
 
-/// What the covariance of the rigid motions is short of, because the noise of the normals seems to
-/// hold what nothing holds: a moulding's normals all lie in one plane, and noise tilts them out of
-/// it. Edges of a mesh hold what they hold whatever the normals do; where a scan ends may be no
+/// What the covariance of the rigid motions lacks because the noise of the normals seems to hold
+/// motions that nothing holds: a moulding's normals all lie in one plane, and noise tilts them out
+/// of it. Edges of a mesh hold the part whatever the normals do; the end of a scan may not be an
 /// edge.
-/// @param pose as it was known before
+/// @param pose prior
 Matrix6d seemingly_held(const Held& normals, const Held& rims, bool edges_are_known,
                         const Turns& turns, const PoseDeviation& pose);
 

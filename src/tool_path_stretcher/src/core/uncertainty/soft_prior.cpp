@@ -11,7 +11,7 @@ namespace {
 constexpr Eigen::Index kOfNode = GraphEquations::kUnknowns;
 constexpr Eigen::Index kMonomials = 9;  // of three coordinates, of degree one and two
 
-/// The monomials at a point, and their gradients in the columns.
+/// The monomials at a point, with their gradients in the columns.
 struct Monomials {
   Eigen::Matrix<double, kMonomials, 1> values = Eigen::Matrix<double, kMonomials, 1>::Zero();
   Eigen::Matrix<double, 3, kMonomials> gradients = Eigen::Matrix<double, 3, kMonomials>::Zero();
@@ -34,7 +34,7 @@ Monomials monomials(const Eigen::Vector3d& at) {
   return result;
 }
 
-/// [m] Where the nodes are, from their middle.
+/// [m] Positions of the nodes relative to their mean.
 Points nodes_about_middle(const DeformationGraph& graph) {
   Points nodes;
   Eigen::Vector3d middle = Eigen::Vector3d::Zero();
@@ -47,7 +47,7 @@ Points nodes_about_middle(const DeformationGraph& graph) {
   return nodes;
 }
 
-/// Without the mean of the nodes' turns, and then without the mean of their shifts.
+/// Removes the mean of the nodes' rotations, then the mean of their shifts.
 void take_off_rigid(const Points& nodes, Eigen::Ref<Eigen::VectorXd> mode) {
   Eigen::Vector3d turn = Eigen::Vector3d::Zero();
   Eigen::Vector3d shift = Eigen::Vector3d::Zero();
@@ -79,7 +79,7 @@ Eigen::MatrixXd smooth_modes(const DeformationGraph& graph) {
     for (Eigen::Index k = 0; k < kMonomials; ++k) {
       for (int axis = 0; axis < 3; ++axis) {
         const Eigen::Vector3d unit = Eigen::Vector3d::Unit(axis);
-        // A node is turned by half of the field's curl.
+        // A node rotates by half of the field's curl.
         modes.block<3, 1>(row, 3 * k + axis) = of.gradients.col(k).cross(unit) / 2;
         modes.block<3, 1>(row + 3, 3 * k + axis) = size * of.values[k] * unit;
       }
@@ -97,7 +97,7 @@ SoftPrior::SoftPrior(const NormalEquations& known, const NormalEquations& rigid,
   right_side_ = known.right_side + rigid.right_side;
   give_.resize(0, stiff.rows());
   if (modes.cols() == 0 || links == 0) return;
-  constexpr double kRidge = 1e-12;  // of what is held most: for modes that move no node
+  constexpr double kRidge = 1e-12;  // of the stiffest mode: for modes that move no node
   // The covariances of links and modes add up: the inverse of the sum, by Woodbury's identity.
   const Eigen::MatrixXd pushed = rigid.matrix * modes;
   Eigen::MatrixXd held = (1 + 1 / static_cast<double>(links)) * (modes.transpose() * pushed);

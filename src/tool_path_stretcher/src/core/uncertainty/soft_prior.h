@@ -8,36 +8,37 @@
 
 namespace tool_path_stretcher {
 
-/// What is assumed of a graph's unknowns: that its links are strained no farther than they were
-/// seen to be, each for itself, and besides the whole part in a smooth deformation, a polynomial of
-/// degree two. Were each link independent of all others alone, hundreds of them would hold what
-/// strains them all alike. Of a smooth deformation all links together are one observation.
+/// Assumptions about a graph's unknowns: links are strained no more than they were seen to be, each
+/// independently, and in addition the whole part in a smooth deformation (a polynomial of degree
+/// two), of which all links together are one observation. If the links were only independent,
+/// hundreds of them would hold a strain that affects them all alike.
 class SoftPrior {
  public:
   SoftPrior() = default;
 
-  /// @param known of the pose and the scale, from before
-  /// @param rigid of the links
-  /// @param modes of the unknowns, a column for each smooth deformation; none: links alone
-  /// @param links how many there are
+  /// @param known prior of the pose and the scale
+  /// @param rigid stiffness of the links
+  /// @param modes of the unknowns, one column per smooth deformation; empty: links alone
+  /// @param links number of links
   SoftPrior(const NormalEquations& known, const NormalEquations& rigid,
             const Eigen::MatrixXd& modes, std::size_t links);
 
-  /// The inverse of the covariance of all unknowns, and what it pulls at.
+  /// The inverse of the covariance of all unknowns, and the right side.
   NormalEquations equations() const;
 
   /// The quadratic form of that inverse.
-  /// @param motions of the unknowns, one in each column
+  /// @param motions of the unknowns, one per column
   Eigen::Matrix3d held(const Eigen::Matrix<double, Eigen::Dynamic, 3>& motions) const;
 
  private:
   Eigen::SparseMatrix<double> stiff_;  // of links, pose and scale
-  Eigen::MatrixXd give_;  // a row for each smooth mode: the inverse is stiff - give^T give
+  Eigen::MatrixXd give_;  // one row per smooth mode: the inverse is stiff - give^T give
   Eigen::VectorXd right_side_;
 };
 
-/// How smooth deformations move the unknowns of a graph, a column for each: polynomials of degree
-/// two, without turn and shift of the whole. Some move no node, or move them as another does.
+/// The motion of a graph's unknowns under smooth deformations, one column each: polynomials of
+/// degree two, without rotation and shift of the whole. Some move no node, or move nodes like
+/// another one.
 Eigen::MatrixXd smooth_modes(const DeformationGraph& graph);
 
 }  // namespace tool_path_stretcher

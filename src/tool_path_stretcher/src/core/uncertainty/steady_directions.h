@@ -6,12 +6,12 @@
 
 namespace tool_path_stretcher {
 
-/// Replaces the directions of constraints along normals by those of a wider neighbourhood, and says
-/// how far off each may still be [rad].
+/// Replaces the directions of constraints along normals by those of a wider neighbourhood, and
+/// returns the remaining error of each [rad].
 std::vector<double> steady_directions(const Surface& object, const Mapping& mapping,
                                       std::vector<GraphConstraint>& constraints);
 
-/// The same for the rims.
+/// The same for rims.
 std::vector<double> steady_rims(const Surface& object, const Mapping& mapping,
                                 std::vector<GraphConstraint>& constraints);
 

@@ -92,7 +92,7 @@ double misfit(const SurfacePair& surfaces, const Mapping& mapping) {
 std::vector<Mapping> slid_along_itself(const SurfacePair& surfaces, const Mapping& mapping,
                                        const ScalePrior& scale) {
   constexpr double kStep = 0.12;   // of the object's size; chosen
-  constexpr double kBack = 0.05;   // of the object's size: it slid back to where it was; chosen
+  constexpr double kBack = 0.05;   // of the object's size; less: it slid back; chosen
   constexpr double kHopeless = 5;  // times the misfit of the mapping; chosen
   constexpr int kIterations = 30;  // at most; chosen
   const double size = surfaces.object.size;

@@ -24,9 +24,9 @@ void check_enough(const Surface& surface, const std::string& name, int least) {
          fmt::format("scan more densely, reduce less (leaf), or lower min_points ({})", least));
 }
 
-constexpr double kLargest = 10;  // [m] chosen: beyond what a robot reaches
+constexpr double kLargest = 10;  // [m] beyond a robot's reach; chosen
 
-/// A part of a few centimetres is as large as this where millimetres are taken for metres.
+/// A part of a few centimetres seems this large if millimetres are taken for metres.
 void check_unit(const Surface& surface, const std::string& name) {
   if (surface.size < kLargest) return;
   refuse(Reason::kUnusableInput, name,
@@ -35,7 +35,7 @@ void check_unit(const Surface& surface, const std::string& name) {
          "inches");
 }
 
-/// Of a path's waypoints, those that have a surface beside them.
+/// The share of a path's waypoints with a surface beside them.
 double share_on(const PathDistances& distances) {
   const auto on = std::count(distances.in_air.begin(), distances.in_air.end(), false);
   return static_cast<double>(on) / static_cast<double>(distances.in_air.size());
@@ -58,7 +58,7 @@ std::vector<std::size_t> indices_of(const std::vector<bool>& flags) {
   return result;
 }
 
-/// The similarity that puts the points halfway between where two others put them.
+/// The similarity that puts the points halfway between their positions under two others.
 Similarity halfway(const Similarity& one, const Similarity& other, const Points& points) {
   Points between;
   for (const Eigen::Vector3d& point : points)
@@ -91,7 +91,7 @@ void check_surfaces(const SurfacePair& surfaces, const StretchParameters& parame
 
 void check_path(const ToolPath& path, const Surface& reference,
                 const StretchParameters& parameters) {
-  constexpr double kLeast = 0.5;  // of the waypoints on the surface: most of them; chosen
+  constexpr double kLeast = 0.5;  // of the waypoints on the surface; chosen
   constexpr double kFar = 10;  // sizes of the reference: a path shrunk to a point lies on anything
   try {
     check(path);
@@ -102,7 +102,7 @@ void check_path(const ToolPath& path, const Surface& reference,
   const double worst = *std::max_element(distances.far.begin(), distances.far.end());
   if (share_on(distances) >= kLeast && worst < kLargest) return;
   const std::vector<std::size_t> off = indices_of(distances.in_air);
-  for (const char* const unit : {"inch", "mm"}) {  // what is shrunk too far lies on anything
+  for (const char* const unit : {"inch", "mm"}) {  // a path shrunk too far lies on anything
     const double factor = scan_cell_common::metres_per(unit);
     if (!(worst > kFar * reference.size) ||
         share_on(distances_of(scaled(path, factor), reference, parameters)) <= kLeast)
@@ -184,7 +184,7 @@ void check_overlap(const Fitted& best, const StretchParameters& parameters) {
 
 void check_deformation(const Surface& reference, const Mapping& mapping,
                        const StretchParameters& parameters) {
-  constexpr double kShare = 0.95;  // of the surface: as max_deformation is defined
+  constexpr double kShare = 0.95;  // of the surface: as in max_deformation_ratio
   if (mapping.graph.empty()) return;
   std::vector<double> moved;
   for (const std::size_t i : reference.samples.few)
@@ -201,7 +201,7 @@ void check_deformation(const Surface& reference, const Mapping& mapping,
 }
 
 bool is_same_pose(const Similarity& one, const Similarity& other, const Surface& reference) {
-  constexpr double kSamePose = 0.05;  // of the size: one pose, not quite as well refined; chosen
+  constexpr double kSamePose = 0.05;  // of the size: the same pose, refined less well; chosen
   return distance(one, other, reference.points) < kSamePose * one.scale * reference.size;
 }
 

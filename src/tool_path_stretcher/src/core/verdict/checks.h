@@ -20,13 +20,13 @@ namespace tool_path_stretcher {
 /// UNUSABLE_INPUT, TOO_FEW_POINTS
 void check_surfaces(const SurfacePair& surfaces, const StretchParameters& parameters);
 
-/// UNUSABLE_INPUT, PATH_OFF_REFERENCE: most of the path is in the air, or some of it beyond any
+/// UNUSABLE_INPUT, PATH_OFF_REFERENCE: most of the path is in the air, or some of it is beyond any
 /// robot's reach.
 void check_path(const ToolPath& path, const Surface& reference,
                 const StretchParameters& parameters);
 
-/// PATH_NOT_SCANNED: waypoints lie where that part of the reference that can be seen is not.
-/// What is in the air needs none.
+/// PATH_NOT_SCANNED: waypoints lie off the visible part of the reference. Waypoints in the air need
+/// no surface.
 void check_seeable(const ToolPath& path, const Surface& seeable,
                    const StretchParameters& parameters);
 
@@ -54,10 +54,10 @@ PoseCandidate candidate_of(const ToolPath& path, const Mapping& mapping);
 
 [[noreturn]] void refuse_ambiguous(const ToolPath& path, const Mapping& best, const Mapping& other);
 
-/// AMBIGUOUS: the other explains the object as well and puts the path elsewhere. Where an initial
-/// pose is known, poses that lead into each other, as along a straight moulding, count as one: how
-/// far apart they lie is in the expected errors.
-/// @return whether the other explains it as well and lays the path along the same line
+/// AMBIGUOUS: the other mapping explains the object as well and puts the path elsewhere. If an
+/// initial pose is given, poses that blend into each other, as along a straight moulding, count as
+/// one: the expected errors include their distance.
+/// @return whether the other explains the object as well and lays the path along the same line
 bool check_unambiguous(const ToolPath& path, const SurfacePair& surfaces, const Fitted& best,
                        const Fitted& other, const StretchParameters& parameters);
 

@@ -20,8 +20,8 @@ void mirror(Points& points) {
     point = point.cwiseProduct(kMirror);
 }
 
-/// Whether the first is clearly better, and next to nothing speaks for the second: of another part
-/// that is neither, some would.
+/// Whether the first is clearly better and almost nothing speaks for the second. Something would if
+/// the object were another part.
 bool is_wholly_better(const Explanation& first, const Explanation& second) {
   constexpr double kContrary = 0.2;  // of the patches that speak for the first; chosen
   if (!clearly_better(first, second)) return false;
@@ -29,9 +29,9 @@ bool is_wholly_better(const Explanation& first, const Explanation& second) {
   return found.patches_second < kContrary * found.patches_first;
 }
 
-/// Whether no deformation of the mirror image needs to be looked for: as it is, it is clearly worse
-/// than a mapping that explains all, or that explains most without any. Of a part that is not
-/// deformed the mirror image is not either.
+/// Whether the mirror image need not be deformed: undeformed, it is clearly worse than a mapping
+/// that explains everything, or that explains most without a deformation. If a part is not
+/// deformed, neither is its mirror image.
 bool needs_no_deformation(const Fitted& best, const Explanation& image) {
   constexpr double kMost = 0.95;  // of either surface's points; chosen
   const Explanation& found = best.explanation;
@@ -54,7 +54,7 @@ bool may_be_followed(const Surface& reference, const Fitted& fitted,
          parameters.min_inlier_ratio * static_cast<double>(off.size());
 }
 
-/// The surface seen in a mirror: x is -x.
+/// The mirror image of the surface: x becomes -x.
 Surface mirrored(const Surface& surface) {
   Surface result = surface;
   mirror(result.points);
@@ -69,7 +69,7 @@ Surface mirrored(const Surface& surface) {
   return result;
 }
 
-/// All sides of a closed reference of which one view is looked at.
+/// All sides of a closed reference of which the surface is one view.
 Surface all_sides(const Surface& reference) {
   Surface whole;
   whole.oriented = reference.oriented;
@@ -79,13 +79,13 @@ Surface all_sides(const Surface& reference) {
   return whole;
 }
 
-/// A mapping of the mirror image, and one of the reference, with what each explains.
+/// A mapping of the mirror image and one of the reference, each with its explanation.
 struct Hands {
   const Fitted& image;
   const Fitted& itself;
 };
 
-/// Whether the mirror image is wholly better. Of a closed reference all sides are compared, on the
+/// Whether the mirror image is wholly better. For a closed reference, compares all sides, on the
 /// object's points alone: a view does not hide the same sides of the part and of its image.
 bool is_other_hand(const SurfacePair& surfaces, const Hands& hands, double inlier_distance) {
   const auto& [reference, object] = surfaces;
@@ -99,7 +99,7 @@ bool is_other_hand(const SurfacePair& surfaces, const Hands& hands, double inlie
   return is_wholly_better(first, second);
 }
 
-/// Of the poses of the mirror image the one that explains most, undeformed.
+/// The pose of the mirror image that explains most, undeformed.
 /// @param bulk_cost [m] of the reference itself
 std::optional<Fitted> best_image(const SurfacePair& image, const StretchParameters& parameters,
                                  double bulk_cost) {
@@ -124,7 +124,8 @@ void check_handedness(const SurfacePair& surfaces, const Fitted& best,
   if (all && best.mapping.graph.empty()) return;
   const Surface mirror_image = mirrored(surfaces.reference);
   const SurfacePair image{mirror_image, surfaces.object};
-  // What explains all is not surpassed by an image that is deformed: it has to be as good as it is.
+  // A mapping that explains everything cannot be surpassed by a deformed image: the image must be
+  // as good undeformed.
   const Candidate itself =
       judged(surfaces, all ? best.mapping : Mapping{best.mapping.similarity, {}}, Density::kFew);
   const std::optional<Fitted> found = best_image(image, parameters, itself.bulk_cost);

@@ -7,11 +7,11 @@
 
 namespace tool_path_stretcher {
 
-/// MIRRORED_PART: the mirror image of the reference explains the object, and clearly better than
-/// the reference does: all but a little of what only one of the two explains speaks for it. A part
-/// that has a mirror plane is explained by both alike. Where the reference was deformed, its
-/// undeformed shape is compared with the mirror image, too: a small difference of the hands can be
-/// bent away.
+/// MIRRORED_PART: the mirror image of the reference explains the object, clearly better than the
+/// reference does: almost everything that only one of the two explains speaks for it. Both explain
+/// a part with a mirror plane equally well. If the reference was deformed, its undeformed shape is
+/// compared with the mirror image too, because a small difference between the hands can be bent
+/// away.
 /// @param best of the reference
 /// @throw Refusal
 void check_handedness(const SurfacePair& surfaces, const Fitted& best,

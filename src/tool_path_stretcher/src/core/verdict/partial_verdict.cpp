@@ -12,7 +12,7 @@ constexpr double kNoisier = 1.5;    // times the noise of the best; chosen
 constexpr double kFewMore = 0.004;  // of the points known; chosen
 constexpr int kIterations = 30;     // at most; chosen
 
-/// Refuses where the other pose puts the path elsewhere.
+/// Refuses if the other pose puts the path elsewhere.
 void refuse_another(const ToolPath& path, const SurfacePair& surfaces, const Mapping& best,
                     const Similarity& other, const StretchParameters& parameters) {
   const Mapping mapping{other, {}};
@@ -27,7 +27,7 @@ std::optional<Similarity> pose_of_partial_reference(const ToolPath& path,
                                                     const SurfacePair& surfaces,
                                                     PartialSearch& search,
                                                     const StretchParameters& parameters) {
-  constexpr double kCostlier = 1.3;  // beyond, it shares too little to be a rival; chosen
+  constexpr double kCostlier = 1.3;  // above: shares too little to be a rival; chosen
   if (!search.is_certain()) return {};
   const Candidate& best = search.fits().front();
   const double noise = best.agreement->noise;
@@ -59,7 +59,7 @@ void check_rivals(const ToolPath& path, const SurfacePair& surfaces, const Mappi
   };
   for (const Candidate& other : search.fits()) {
     if (!is_as_good(*other.agreement)) continue;
-    // Not wholly refined, it may be the best one beside its place.
+    // Not fully refined, it may be the best pose beside its place.
     const Similarity refined =
         refine(surfaces, other.similarity, parameters.prior.scale, Density::kMany, kIterations);
     if (is_as_good(search.agreement({refined, {}})))

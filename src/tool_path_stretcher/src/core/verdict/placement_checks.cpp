@@ -14,18 +14,17 @@
 namespace tool_path_stretcher {
 namespace {
 
-/// Whether the mapping crushes space to nothing at a point of the reference, or turns it inside
-/// out.
+/// Whether the mapping nearly collapses space at a point of the reference, or turns it inside out.
 bool turned_over(const Mapping& mapping, const Eigen::Vector3d& at) {
-  constexpr double kMinVolume = 0.1;  // of what it was; chosen
+  constexpr double kMinVolume = 0.1;  // of the original volume; chosen
   if (mapping.graph.empty()) return false;
   const Eigen::Matrix3d local = Eigen::Matrix3d::Identity() + mapping.graph.jacobian(at);
   return local.determinant() < kMinVolume;
 }
 
-/// The waypoints of all segments at which the adapted path runs back, or lies where the surface is
+/// The waypoints of all segments where the adapted path runs backwards, or where the surface is
 /// turned over.
-/// @param step [m, reference] shorter ways are not looked at
+/// @param step [m, reference] shorter steps are not checked
 std::vector<std::size_t> folded_waypoints(const ToolPath& path, const ToolPath& adapted,
                                           const Mapping& mapping, double step) {
   std::vector<std::size_t> folded;
@@ -48,7 +47,7 @@ std::vector<std::size_t> folded_waypoints(const ToolPath& path, const ToolPath& 
   return folded;
 }
 
-/// The waypoints where a value is greater than `most`, and the greatest. NaN is not known, and not
+/// The waypoints whose value exceeds `most`, and the greatest value. NaN means unknown and is not
 /// bad.
 struct Found {
   template <class Value>
@@ -62,8 +61,8 @@ struct Found {
     }
   }
 
-  /// @param text how they are bad, with {} for the worst
-  /// @param unit of that in the text, over the value's
+  /// @param text what is wrong with them, with {} for the worst value
+  /// @param unit unit of the value in the text, relative to the value's own
   void refuse_if_any(Reason reason, const std::string& thing, const std::string& text,
                      const std::string& cure, double unit = 1e-3) const {
     if (waypoints.empty()) return;
@@ -78,7 +77,7 @@ struct Found {
   double worst = 0;
 };
 
-/// [m] to the scanned surface, or three deviations of that where those are more.
+/// [m] to the scanned surface, or three deviations of that if more.
 double gap_of(const WaypointQuality& quality) {
   constexpr double kDeviations = 3;  // standard: 0.3 % of normal noise
   const double uncertain =
@@ -112,8 +111,8 @@ void check_fold_over(const ToolPath& path, const ToolPath& adapted, const Surfac
 
 namespace {
 
-/// What lies over a hole is inferred from its neighbours: a path of which most does is not. What is
-/// in the air needs no scan.
+/// A waypoint over a hole is inferred from its neighbours. A path with most of its waypoints over
+/// holes is refused. Waypoints in the air need no scan.
 void check_measured(const std::vector<WaypointQuality>& quality) {
   const auto is_on = [](const WaypointQuality& each) { return !each.in_air; };
   const auto on = static_cast<std::size_t>(std::count_if(quality.begin(), quality.end(), is_on));
@@ -127,7 +126,7 @@ void check_measured(const std::vector<WaypointQuality>& quality) {
          "scan the part along the path, more densely or from another side", inferred);
 }
 
-/// The largest beside any of the waypoints.
+/// The largest patch beside any of the waypoints.
 const StrangerPatch& largest(const Placement& placement,
                              const std::vector<std::size_t>& waypoints) {
   const auto smaller = [&](std::size_t one, std::size_t other) {
@@ -153,7 +152,7 @@ void check_strangers(const Placement& placement, double spacing,
          found.waypoints);
 }
 
-/// [m] Who gives an initial pose has said how well the place is known.
+/// [m] An initial pose comes with its own limit of error.
 double max_position_error(const StretchParameters& parameters, double least) {
   const std::optional<PosePrior>& pose = parameters.prior.pose;
   return std::max({parameters.max_position_error, least, pose ? pose->distance : 0});

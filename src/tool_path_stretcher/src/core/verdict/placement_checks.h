@@ -9,29 +9,30 @@
 
 namespace tool_path_stretcher {
 
-// Reasons to refuse a path that was placed. All throw Refusal.
+// Reasons to refuse a placed path. All throw Refusal.
 
-/// FOLD_OVER: the mapping turns the surface over, or the adapted path runs back where the path runs
-/// on
-/// @param adapted the path as it was placed
+/// FOLD_OVER: the mapping turns the surface over, or the adapted path runs backwards where the path
+/// runs forwards
+/// @param adapted the placed path
 void check_fold_over(const ToolPath& path, const ToolPath& adapted, const SurfacePair& surfaces,
                      const Mapping& mapping);
 
-/// [m, object] that a scanned point may be off the reference: sparser surfaces cannot show less.
+/// [m, object] greatest allowed distance of a scanned point from the reference. Sparser surfaces
+/// allow more, since they cannot show less.
 double max_stranger(const StretchParameters& parameters, double spacing);
 
-/// What limits are relative to.
+/// The quantities that limits are relative to.
 struct PlacementLimits {
   double spacing;  //!< [m, object] of the reference's points and of the object's, summed
-  double length;   //!< [m, object] of the part, as length_of() has it
-  /// Whether edges of the reference are told from where a scan of it ended. Otherwise the expected
+  double length;   //!< [m, object] of the part, from length_of()
+  /// Whether edges of the reference can be told from the end of its scan. If not, the expected
   /// error along the surface may be far too large, and refuses nothing.
   bool edges_are_known;
 };
 
-/// PATH_NOT_SCANNED, TOLERANCE_EXCEEDED, WRONG_PART, POSITION_UNCERTAIN, ORIENTATION_UNCERTAIN.
-/// Where the surfaces are sparser than the parameters ask for, as much is allowed as they can show.
-/// Of waypoints in the air nothing is asked.
+/// PATH_NOT_SCANNED, TOLERANCE_EXCEEDED, WRONG_PART, POSITION_UNCERTAIN, ORIENTATION_UNCERTAIN. If
+/// the surfaces are too sparse for the parameters, the limits grow to what the surfaces can show.
+/// Waypoints in the air are not checked.
 void check_placement(const Placement& placement, const PlacementLimits& limits,
                      const StretchParameters& parameters);
 

@@ -12,8 +12,8 @@
 namespace tool_path_stretcher {
 namespace {
 
-/// Mean square residual of both directions, each point counted up to what is noise, sampling or
-/// grid at most, and as a share of that.
+/// Mean square residual in both directions. Each point's residual is taken relative to the most
+/// that noise, sampling or grid explain, and capped there.
 double capped_cost(const Explanation& explanation, double noise) {
   const auto mean = [noise](const Distances& distances) {
     double sum = 0;

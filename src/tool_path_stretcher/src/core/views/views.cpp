@@ -28,7 +28,7 @@ Eigen::Vector3d side_of(const SurfacePair& surfaces, const Mapping& mapping) {
   return sum.isZero() ? Eigen::Vector3d(Eigen::Vector3d::UnitZ()) : sum.normalized();
 }
 
-/// Those that may be right, the likeliest first.
+/// The mappings that may be right, likeliest first.
 std::vector<Mapping> likely(const Attempt& whole) {
   constexpr double kNear = 1.5;  // times the least cost; chosen
   std::vector<Mapping> result;
@@ -46,8 +46,8 @@ std::vector<Mapping> likely(const Attempt& whole) {
 }  // namespace
 
 std::vector<ViewPrior> possible_views(const SurfacePair& surfaces, const Attempt& whole) {
-  constexpr double kAlike = 20 * M_PI / 180;  // [rad] chosen: what is hidden changes little within
-  constexpr std::size_t kMost = 4;            // each is a whole try; chosen
+  constexpr double kAlike = 20 * M_PI / 180;  // [rad] hidden areas change little within; chosen
+  constexpr std::size_t kMost = 4;            // each is a whole attempt; chosen
   std::vector<ViewPrior> views;
   const auto add = [&views](const ViewPrior& view) {
     const bool is_known = std::any_of(views.begin(), views.end(), [&](const ViewPrior& other) {
@@ -59,7 +59,7 @@ std::vector<ViewPrior> possible_views(const SurfacePair& surfaces, const Attempt
   const Points& seen_from = surfaces.object.seen_from;
   for (const Mapping& each : likely(whole)) {
     const Eigen::Matrix3d& rotation = each.similarity.rotation;
-    if (!seen_from.empty()) {  // as it lies, or turned over: the other face of a sheet
+    if (!seen_from.empty()) {  // as it lies, or turned over (the other face of a sheet)
       add({turned(seen_from, rotation.transpose()), seen_from});
       add({turned(seen_from, -rotation.transpose()), seen_from});
       continue;
@@ -73,7 +73,7 @@ std::vector<ViewPrior> possible_views(const SurfacePair& surfaces, const Attempt
 
 namespace {
 
-/// Of the object's points alone: the references of two attempts are not the same.
+/// Compares the object's points alone: two attempts have different references.
 bool explains_more(const Attempt& one, const Attempt& other) {
   Explanation first = one.fitted.front().explanation;
   Explanation second = other.fitted.front().explanation;
@@ -82,7 +82,7 @@ bool explains_more(const Attempt& one, const Attempt& other) {
   return clearly_better(first, second);
 }
 
-/// Whether all of the reference explains points that a part of it leaves over: they were seen from
+/// Whether the whole reference explains points that its visible part does not: they were seen from
 /// elsewhere.
 bool shows_other_sides(const Attempt& whole, const Attempt& part) {
   constexpr double kMore = 0.05;  // of the object's points; chosen
@@ -91,8 +91,8 @@ bool shows_other_sides(const Attempt& whole, const Attempt& part) {
          part.fitted.front().explanation.inlier_ratio + kMore;
 }
 
-/// Whether several poses of all of the reference explain the object alike, and this one does not
-/// explain all of it either: the right one may not be among them.
+/// Whether several poses of the whole reference explain the object equally well, and this one does
+/// not explain all of it either: the right one may not be among them.
 bool is_one_of_many(const Attempt& part, const Attempt& whole) {
   constexpr double kAll = 0.95;  // of the object's points; chosen
   return whole.result.verdict.reason == Reason::kAmbiguous &&

@@ -10,25 +10,25 @@
 
 namespace tool_path_stretcher {
 
-/// One try to adapt a path: with all of the reference, or with what can be seen of it.
+/// One attempt to adapt a path: with the whole reference, or with its visible part.
 struct Attempt {
-  bool whole = true;                       //!< all of the reference
+  bool whole = true;                       //!< the whole reference
   StretchResult result;                    //!< with its verdict
-  std::vector<Candidate> candidates = {};  //!< the poses that were found, best first
-  std::vector<Fitted> fitted = {};  //!< what explains the object, best first; none: nothing does
+  std::vector<Candidate> candidates = {};  //!< the poses found, best first
+  std::vector<Fitted> fitted = {};         //!< those that explain the object, best first
 };
 
-/// From where a closed reference may have been seen, where the object lies as an attempt with all
-/// of it says, by what explains the object or by the poses that fit best while nothing is bent:
-/// the directions that the object's points carry, as it lies or turned over; without them the side
-/// that its points lie on, and the other one.
+/// The views from which a closed reference may have been seen. The object's pose comes from an
+/// attempt with the whole reference: from the mappings that explain it, or from the best undeformed
+/// poses. The directions are those that the object's points carry, as it lies or turned over.
+/// Without them, both the side that its points lie on and the opposite side are possible.
 std::vector<ViewPrior> possible_views(const SurfacePair& surfaces, const Attempt& whole);
 
-/// The attempt that tells what to do: of those with a part of the reference, the one that explains
-/// the object best, unless all of the reference explains clearly more. Where several do as well and
-/// are accepted, they must lay the path to the same places, but for what is in the air, or it is
-/// AMBIGUOUS.
-/// @param attempts with all of the reference first
+/// The deciding attempt: of those with a part of the reference, the one that explains the object
+/// best, unless the whole reference explains clearly more. If several explain it as well and are
+/// accepted, they must lay the path to the same places, except for waypoints in the air; otherwise
+/// the result is AMBIGUOUS.
+/// @param attempts the one with the whole reference first
 StretchResult judge(const std::vector<Attempt>& attempts, const ToolPath& path,
                     const SurfacePair& surfaces, const StretchParameters& parameters);
 

@@ -14,14 +14,14 @@ namespace {
 
 using scan_cell_common::UnusableInput;
 
-/// A waypoint among the others, with its segment.
+/// A waypoint with its segment.
 struct Place {
   std::size_t segment = 0;
   Waypoint waypoint;
   WaypointOrigin origin;
 };
 
-/// All waypoints in one row, so that edits need not know of segments.
+/// All waypoints in one row, so that edits need not know about segments.
 class Row {
  public:
   explicit Row(const ToolPath& path) : path_(path) {
@@ -62,7 +62,7 @@ class Row {
            fmt::format("the path has 0 to {} at this edit", places_.size() - 1));
   }
 
-  /// @param change of a waypoint
+  /// @param change changes one waypoint
   template <class Change>
   void change(const WaypointRange& range, const Change& change) {
     if (range.last < range.first)
@@ -97,7 +97,7 @@ class Row {
     change(edit.waypoints, [&](Waypoint& waypoint) {
       const Eigen::Matrix3d before = waypoint.pose.linear();
       const Eigen::Matrix3d after = edit.frame == EditFrame::kTool ? before * turn : turn * before;
-      // A rotation to the last digit, however often it is turned
+      // Stays a rotation to the last digit, however often it is turned
       waypoint.pose.linear() = Eigen::Quaterniond(after).normalized().toRotationMatrix();
     });
   }
@@ -132,7 +132,7 @@ class Row {
     }
   }
 
-  /// Of a process value; a new one is there after this.
+  /// Index of a process value. Adds a new one.
   std::size_t place_of(const std::string& name, const WaypointRange& range) {
     auto& names = path_.process_names;
     const auto found = std::find(names.begin(), names.end(), name);
@@ -148,7 +148,7 @@ class Row {
 
   ToolPath path_;
   std::vector<Place> places_;
-  std::string name_;  // of the edit at hand, in errors
+  std::string name_;  // of the current edit, for errors
 };
 
 }  // namespace

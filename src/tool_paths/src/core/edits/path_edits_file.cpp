@@ -21,7 +21,7 @@ std::size_t number_of(const YamlEntry& entry) {
   return static_cast<std::size_t>(number);
 }
 
-/// One number, or the first and the last.
+/// One number, or the first and last.
 WaypointRange range_of(const YamlEntry& entry) {
   if (!entry.is_list()) return {number_of(entry), number_of(entry)};
   const std::vector<YamlEntry> ends = entry.elements();
@@ -107,7 +107,7 @@ YAML::Node node_of(const WaypointRange& range) {
       Eigen::Vector2d(static_cast<double>(range.first), static_cast<double>(range.last)));
 }
 
-/// A map in one line, with the waypoints if it has some.
+/// A map on one line, with the waypoints if the edit has some.
 template <class Edit>
 YAML::Node begin(const Edit& edit) {
   YAML::Node node;

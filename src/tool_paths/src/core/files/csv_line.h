@@ -7,15 +7,16 @@
 
 namespace tool_paths {
 
-/// Without the blanks around it.
+/// The text without surrounding blanks.
 std::string trimmed(const std::string& text);
 
-/// The fields of a line; one in double quotes may hold commas, and quotes doubled (RFC 4180).
+/// The fields of a line. A field in double quotes may contain commas, and doubled quotes (RFC
+/// 4180).
 /// @param where file and line, for the error
 /// @throw scan_cell_common::UnusableInput if a quote is not closed
 std::vector<std::string> split(const std::string& line, const std::string& where);
 
-/// A field as split() reads it. Ends of lines become blanks.
+/// A field that split() reads back. Line ends become blanks.
 std::string quoted_where_needed(const std::string& text);
 
 }  // namespace tool_paths

@@ -37,7 +37,7 @@ void check_names(const std::vector<std::string>& names, const std::string& where
   }
 }
 
-/// Goes through the lines of a table: the first one names the columns.
+/// Reads the lines of a table, the first of which names the columns.
 class Reader {
  public:
   Reader(const std::string& source, const PathConventions& conventions)
@@ -82,7 +82,7 @@ class Reader {
       return scan_cell_common::lower_case(name) == kSegment;
     });
     segment_ = static_cast<std::size_t>(segment - names.begin());
-    std::vector<std::string> others;  // the segments' names are no numbers
+    std::vector<std::string> others;  // without the segments' names, which are not numbers
     std::vector<std::size_t> columns;
     for (std::size_t i = 0; i < names.size(); ++i) {
       if (i == segment_) continue;
@@ -132,13 +132,13 @@ class Reader {
   const PathConventions& conventions_;
   ToolPathFile file_;
   std::vector<std::string> names_;
-  std::size_t segment_ = 0;  // its column; as many as there are: none
+  std::size_t segment_ = 0;  // index of its column; number of columns: none
   std::vector<std::size_t> pose_columns_;
   std::vector<std::size_t> process_columns_;
   std::vector<double> angles_;  // [degrees] of all waypoints
 };
 
-/// Segments are told apart by their names: neighbours of the same name get a number.
+/// Segments are distinguished by their names, so neighbours with the same name get a number.
 std::vector<std::string> distinct_names(const ToolPath& path) {
   std::vector<std::string> names;
   for (std::size_t i = 0; i < path.segments.size(); ++i) {
@@ -150,7 +150,7 @@ std::vector<std::string> distinct_names(const ToolPath& path) {
   return names;
 }
 
-/// With the columns of a new file, where the path did not come from CSV.
+/// Adds the columns of a new file if the path did not come from CSV.
 PathLayout with_columns(PathLayout layout, const ToolPath& path) {
   if (!layout.columns.empty()) return layout;
   layout.columns.assign(layout.pose.position.begin(), layout.pose.position.end());
@@ -161,7 +161,7 @@ PathLayout with_columns(PathLayout layout, const ToolPath& path) {
   return layout;
 }
 
-/// Where in a waypoint's texts each column is: its position, orientation, process values, segment.
+/// The index of each column in a waypoint's texts: position, orientation, process values, segment.
 std::vector<std::size_t> places_of(const PathLayout& layout, const ToolPath& path) {
   std::vector<std::string> texts(layout.pose.position.begin(), layout.pose.position.end());
   texts.insert(texts.end(), layout.pose.names.begin(), layout.pose.names.end());

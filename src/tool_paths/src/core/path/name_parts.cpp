@@ -35,7 +35,7 @@ bool is_numbered_part(const std::string& word) {
   return word.size() == 2 && is_one_of(word[0], "rqon") && is_one_of(word[1], "xyzw");
 }
 
-/// They tell by themselves.
+/// Words that by themselves indicate an orientation.
 const std::set<std::string>& plain_words() {
   static const std::set<std::string> words = {
       "roll",        "pitch",    "yaw",  "rpy",   "euler",  "quat",  "quaternion", "orient",
@@ -44,7 +44,7 @@ const std::set<std::string>& plain_words() {
   return words;
 }
 
-/// They tell where nothing else is named: a normal, but not a normal force.
+/// Words that indicate an orientation if nothing else is named: a normal, but not a normal force.
 const std::set<std::string>& hinting_words() {
   static const std::set<std::string> words = {
       "a",       "b",        "c",        "i",         "j",     "k",      "normal",
@@ -58,10 +58,10 @@ const std::set<std::string>& neutral_words() {
   return words;
 }
 
-/// Whether a word is one of these, or one with a number or an axis behind it: angle1, rotx.
+/// Whether a word is one of these, possibly followed by a number or an axis: angle1, rotx.
 bool is_known(const std::string& word, const std::set<std::string>& words) {
   if (words.count(word) > 0) return true;
-  constexpr std::size_t kShortest = 3;  // without that: "bz" hints at nothing
+  constexpr std::size_t kShortest = 3;  // without the suffix: "bz" hints at nothing
   const std::size_t end = word.find_last_not_of("0123456789");
   std::string stem = word.substr(0, end == std::string::npos ? 0 : end + 1);
   if (stem == word && is_one_of(stem.back(), "xyzw")) stem.pop_back();

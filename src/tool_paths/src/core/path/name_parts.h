@@ -7,11 +7,11 @@
 
 namespace tool_paths {
 
-/// A column's or key's name in its parts, in lower case.
+/// The parts of a column's or key's name, in lower case.
 struct NameParts {
-  std::vector<std::string> words;  //!< between blanks, underscores, points, brackets
-  std::string base;                //!< the words but for the unit, joined by "_"
-  std::string unit;                //!< m, mm, inch, deg, rad; empty: none is given
+  std::vector<std::string> words;  //!< separated by blanks, underscores, points, brackets
+  std::string base;                //!< the words without the unit, joined by "_"
+  std::string unit;                //!< m, mm, inch, deg, rad; empty: none given
 };
 
 NameParts parts_of(const std::string& name);
@@ -28,7 +28,7 @@ inline bool is_angle_unit(const std::string& unit) {
 struct OrientationNames {
   enum class Kind { kQuaternion, kAnglesByAxis, kAnglesByTurn, kVector };
   Kind kind;
-  std::vector<std::string> names;  //!< x y z w; of the angles about x, y, z; first to third turn
+  std::vector<std::string> names;  //!< x y z w; angles about x, y, z; or first to third rotation
 };
 
 const std::vector<OrientationNames>& known_orientation_names();

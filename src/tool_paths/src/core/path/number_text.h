@@ -6,7 +6,7 @@
 
 namespace tool_paths {
 
-/// The shortest text that comes back as the same number.
+/// The shortest text that reads back as the same number.
 std::string to_text(double number);
 
 }  // namespace tool_paths

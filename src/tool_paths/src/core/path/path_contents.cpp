@@ -8,7 +8,7 @@
 namespace tool_paths {
 namespace {
 
-/// Z-Y-X of zyx
+/// zyx as Z-Y-X
 std::string in_capitals(const std::string& axes) {
   std::string text;
   for (const char axis : axes)

@@ -21,16 +21,16 @@ using scan_cell_common::UnusableInput;
 
 using scan_cell_common::kDegree;
 
-/// Drops what the product that made millimetres or degrees added.
+/// Drops the rounding error of the conversion to millimetres or degrees.
 double rounded(double value) {
-  constexpr double kSteps = 1e9;  // of a millimetre or a degree: far below what anyone measures
-  constexpr double kMost = 1e6;   // [mm] or [deg]: beyond, a double has no such steps
+  constexpr double kSteps = 1e9;  // per millimetre or degree: far below what anyone measures
+  constexpr double kMost = 1e6;   // [mm] or [deg]: above, a double has no such steps
   if (!(std::abs(value) < kMost)) return value;
   return std::round(value * kSteps) / kSteps + 0.0;  // -0 is 0
 }
 
 Eigen::Matrix3d from_tool_vector(const Eigen::Vector3d& vector, const std::string& where) {
-  constexpr double kUnit = 1e-3;  // off length 1: vectors of three digits; chosen
+  constexpr double kUnit = 1e-3;  // deviation from length 1: vectors of three digits; chosen
   if (!(std::abs(vector.norm() - 1) < kUnit)) {
     throw UnusableInput(where, fmt::format("a tool vector of length {:.6g}", vector.norm()),
                         "give unit vectors, or say that it is not one (--process-values)");
@@ -128,7 +128,7 @@ void carry_spin_along(Segment& segment) {
 void check_angles(const PoseConvention& convention, const std::vector<double>& angles,
                   const std::string& source) {
   constexpr double kTurn = 2 * M_PI;
-  constexpr double kExact = 2e-4;  // [rad] 3.1416 is half a turn, and no one means it as degrees
+  constexpr double kExact = 2e-4;  // [rad] 3.1416 is half a turn; no one means it in degrees
   if (!convention.degrees || angles.empty()) return;
   const auto is_beyond = [](double angle) { return std::abs(angle) > kTurn + kExact; };
   const auto is_half_turn = [](double angle) {

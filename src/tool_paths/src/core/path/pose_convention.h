@@ -10,10 +10,10 @@
 
 namespace tool_paths {
 
-/// The convention of a file, or that of a new one: quaternions where the path has orientations.
+/// The convention of a file, or of a new one: quaternions if the path has orientations.
 PoseConvention convention_for(const ToolPath& path, const PoseConvention& convention);
 
-/// Of a pose's numbers: 3 of position, then those of the orientation.
+/// How many numbers a pose has: 3 for the position, then those of the orientation.
 std::size_t number_count(const PoseConvention& convention);
 
 /// A pose [m] from its numbers, in the order of the convention's names.
@@ -22,16 +22,16 @@ std::size_t number_count(const PoseConvention& convention);
 Eigen::Isometry3d pose_from(const PoseConvention& convention, const std::vector<double>& numbers,
                             const std::string& where);
 
-/// The other way round.
-/// @param rotation the pose's, in the hemisphere that is wanted
+/// The inverse of pose_from().
+/// @param rotation of the pose, in the wanted hemisphere
 std::vector<double> numbers_of(const PoseConvention& convention, const Eigen::Vector3d& position,
                                const Eigen::Quaterniond& rotation);
 
-/// Tool vectors leave the spin about them open: from waypoint to waypoint it is carried along, so
-/// that what interpolates the rotations turns the vectors the short way.
+/// Tool vectors leave the rotation about them open. Carries it along from waypoint to waypoint, so
+/// that interpolated rotations turn the vectors along the shorter arc.
 void carry_spin_along(Segment& segment);
 
-/// @throw scan_cell_common::UnusableInput if angles in degrees are in truth radians
+/// @throw scan_cell_common::UnusableInput if angles given as degrees are actually radians
 void check_angles(const PoseConvention& convention, const std::vector<double>& angles,
                   const std::string& source);
 

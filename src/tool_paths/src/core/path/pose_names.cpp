@@ -71,7 +71,7 @@ class Reader {
                     list));
   }
 
-  /// Names that the person says are process values.
+  /// Names that the user declared as process values.
   Indices declared_process_values() {
     Indices found;
     for (const std::string& name : conventions_.process_values) {
@@ -89,7 +89,7 @@ class Reader {
 
   void take(std::size_t i) { taken_[i] = true; }
 
-  /// The free names of a group with units of one kind; none unless all of them are there.
+  /// The unused names of a group, with units of one kind; none unless all are there.
   template <class IsUnit>
   std::optional<Indices> find(const std::vector<std::string>& group, const IsUnit& is_unit) const {
     Indices found;
@@ -109,7 +109,7 @@ class Reader {
     return found;
   }
 
-  /// The unit that all of these names give; empty: none gives any.
+  /// The unit common to all of these names; empty if none has one.
   std::string unit_of(const Indices& indices) const {
     const std::string unit = parts_[indices[0]].unit;
     for (const std::size_t i : indices) {
@@ -188,7 +188,7 @@ class Reader {
     throw UnusableInput(where_, "only some of the columns qx,qy,qz,qw", "give all four or none");
   }
 
-  /// A convention for angles where there are none was meant for something else.
+  /// A convention for angles without any angles was meant for something else.
   void refuse_idle_conventions() const {
     const bool said = !conventions_.euler.empty() || conventions_.rotation_vector ||
                       conventions_.angles != AngleUnit::kNotGiven;
@@ -254,7 +254,7 @@ class Reader {
     return degrees;
   }
 
-  /// Three names that differ in x, y and z alone are a vector, which would have to turn.
+  /// Three names that differ only in x, y and z are a vector, which would have to rotate.
   void refuse_triples() const {
     std::map<std::string, std::array<Indices, 3>> patterns;
     for (const std::size_t i : found_.process) {

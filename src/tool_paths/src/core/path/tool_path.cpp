@@ -125,7 +125,7 @@ Waypoint between(const Waypoint& from, const Waypoint& to, double share) {
 
 ToolPath resampled(const ToolPath& path, double spacing) {
   constexpr double kMost = 1e6;       // waypoints of a segment
-  constexpr double kRounding = 1e-9;  // a segment of ten steps has ten of them
+  constexpr double kRounding = 1e-9;  // so that a segment of ten steps gets ten of them
   ToolPath result = path;
   for (Segment& segment : result.segments) {
     const std::vector<double> lengths = arc_lengths(segment);

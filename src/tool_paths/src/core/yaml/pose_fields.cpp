@@ -21,7 +21,7 @@ bool is_number(const YAML::Node& node) {
   return node.IsScalar() && scan_cell_common::parse_number(node.Scalar()).has_value();
 }
 
-/// As YAML writes them: they are refused as numbers, not kept as text.
+/// Numbers that are not finite, as YAML writes them: refused as numbers, not kept as text.
 bool is_not_finite(const YAML::Node& node) {
   if (!node.IsScalar()) return false;
   const std::string text = scan_cell_common::lower_case(node.Scalar());
@@ -178,7 +178,7 @@ void PoseSplitter::keep(const std::string& key, const YAML::Node& value, PosePar
 
 void PoseSplitter::check_kept(const std::string& key, const YAML::Node& value, int depth) const {
   constexpr int kDeepest = 16;            // chosen
-  constexpr std::size_t kMost = 3000000;  // chosen: an alias can make a small text endless
+  constexpr std::size_t kMost = 3000000;  // an alias can make a small text endless; chosen
   if (++visited_ > kMost) {
     throw UnusableInput(where(value), "more than 3 million entries", "give a shorter path");
   }

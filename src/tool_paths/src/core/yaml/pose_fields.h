@@ -12,24 +12,24 @@
 
 namespace tool_paths {
 
-/// A pose in YAML, taken apart.
+/// A YAML pose split into its parts.
 struct PoseParts {
   std::vector<PoseField> fields;   //!< numbers, in the file's order
-  std::vector<YAML::Node> values;  //!< theirs
-  std::vector<std::string> kept;   //!< keys of what is not a number
+  std::vector<YAML::Node> values;  //!< of the fields
+  std::vector<std::string> kept;   //!< keys of everything that is not a number
 };
 
-/// Takes poses apart: numbers become fields, all else is kept as it is.
+/// Splits poses: numbers become fields, everything else is kept as it is.
 class PoseSplitter {
  public:
   /// @param process_names of the whole file, for `process_values`
-  /// @param not_orientations keys that look like an orientation and are not
+  /// @param not_orientations keys that look like an orientation but are none
   PoseSplitter(const std::string& source, const std::vector<std::string>& process_names,
                const std::vector<std::string>& not_orientations)
       : source_(source), process_names_(process_names), not_orientations_(not_orientations) {}
 
-  /// @throw scan_cell_common::UnusableInput if it is not a pose, or holds what could be an
-  /// orientation of an unknown kind
+  /// @throw scan_cell_common::UnusableInput if it is not a pose, or contains what could be an
+  /// orientation of unknown kind
   PoseParts split(const YAML::Node& node) const;
 
  private:

@@ -13,7 +13,7 @@ namespace {
 
 using scan_cell_common::UnusableInput;
 
-/// Finds the lists of poses in documents, however deep they are nested.
+/// Finds the lists of poses in documents at any depth.
 class Finder {
  public:
   explicit Finder(const std::string& source) : source_(source) {}
@@ -38,7 +38,7 @@ class Finder {
  private:
   std::string where(const YAML::Node& node) const { return line_of(source_, node.Mark()); }
 
-  /// An alias can make a small text stand for an endless one.
+  /// Limits the entries: an alias can make a small text expand endlessly.
   void count_visit(const YAML::Node& node) {
     constexpr std::size_t kMaxNodes = 3000000;  // chosen
     if (++visited_ > kMaxNodes) {
@@ -46,7 +46,7 @@ class Finder {
     }
   }
 
-  /// @param depth an alias within what it stands for has no end
+  /// @param depth limited, because an alias may contain itself
   void visit(const YAML::Node& node, const std::string& name, int depth) {
     constexpr int kDeepest = 64;  // chosen
     if (depth > kDeepest) {
@@ -97,7 +97,7 @@ class Finder {
     }
   }
 
-  /// One orientation beside a list of poses may be meant for all of them.
+  /// An orientation beside a list of poses may be meant for all of them.
   void refuse_common_orientation(const YAML::Node& map, const std::string& key,
                                  const YAML::Node& value) const {
     static const std::set<std::string> names = {"orientation", "rpy",      "quaternion",

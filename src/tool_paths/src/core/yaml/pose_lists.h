@@ -10,7 +10,7 @@
 
 namespace tool_paths {
 
-/// The poses of a segment, as they stand in the file.
+/// The poses of a segment, as in the file.
 struct PoseList {
   std::string name;
   std::vector<YAML::Node> poses;
@@ -18,12 +18,12 @@ struct PoseList {
 
 struct PoseLists {
   std::vector<PoseList> lists;
-  std::set<std::string> kept;  //!< keys beside the lists
+  std::set<std::string> kept;  //!< other keys beside the lists
 };
 
 /// Finds the lists of poses in documents, wherever they are nested.
-/// @throw scan_cell_common::UnusableInput if a document has none, or what looks like poses is no
-/// list of them
+/// @throw scan_cell_common::UnusableInput if a document has none, or something that looks like
+/// poses is not a list of poses
 PoseLists pose_lists_of(const std::vector<YAML::Node>& documents, const std::string& source);
 
 }  // namespace tool_paths

@@ -62,7 +62,7 @@ class Reader {
  private:
   std::string where(const YAML::Node& node) const { return line_of(source_, node.Mark()); }
 
-  /// Of the path and of its process values, from the roots.
+  /// Reads the names of the path and its process values from the roots.
   void read_names(const std::vector<YAML::Node>& documents) {
     ToolPath& path = file_.path;
     path.name = source_;
@@ -88,7 +88,7 @@ class Reader {
     }
   }
 
-  /// From the first pose: which of its numbers hold what. All others are to be like it.
+  /// Determines the meaning of the numbers from the first pose. All others must be like it.
   void understand_poses(const PoseParts& first, const YAML::Node& node) {
     PathConventions conventions = conventions_;
     std::vector<std::string>& declared = conventions.process_values;
@@ -127,7 +127,7 @@ class Reader {
     throw UnusableInput(where(node), fmt::format("'{}' occurs twice", excerpt(name)), "keep one");
   }
 
-  /// Those of process_names come first, then what else the poses hold.
+  /// Those in process_names come first, then the other numbers of the poses.
   void place_process_values(const std::vector<std::size_t>& process, std::size_t next) {
     for (const bool named : {true, false}) {
       for (const std::size_t i : process) {
@@ -166,7 +166,7 @@ class Reader {
     return waypoint;
   }
 
-  /// All poses hold the numbers of the first.
+  /// All poses must have the same numbers as the first.
   void refuse_other_fields(const PoseParts& parts, const YAML::Node& node) const {
     const auto refuse = [&](const PoseField& field) {
       const bool turned = field.slot.find("orientation") != std::string::npos ||
@@ -191,7 +191,7 @@ class Reader {
   const PathConventions& conventions_;
   ToolPathFile file_;
   YamlShape shape_;
-  std::map<std::string, std::size_t> index_;  // of a slot among the fields
+  std::map<std::string, std::size_t> index_;  // field index of a slot
   std::vector<double> angles_;                // [degrees] of all waypoints
 };
 

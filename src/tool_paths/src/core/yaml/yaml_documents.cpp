@@ -16,8 +16,8 @@ namespace {
 
 using scan_cell_common::UnusableInput;
 
-/// Checks that each document begins behind the one before. yaml-cpp 0.7 takes what cannot begin a
-/// document for an empty one, over and over again, and LoadAll() never ends.
+/// Checks that each document begins after the one before. yaml-cpp 0.7 takes text that cannot begin
+/// a document for an empty one, over and over, and LoadAll() never ends.
 class DocumentsGoOn : public YAML::EventHandler {
  public:
   explicit DocumentsGoOn(const std::string& source) : source_(source) {}

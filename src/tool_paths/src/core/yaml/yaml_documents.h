@@ -10,12 +10,12 @@
 
 namespace tool_paths {
 
-/// All documents of a text, empty ones too.
+/// All documents of a text, including empty ones.
 /// @param source names the text in errors
-/// @throw scan_cell_common::UnusableInput if a part of it is no YAML
+/// @throw scan_cell_common::UnusableInput if a part of it is not YAML
 std::vector<YAML::Node> load_documents(const std::string& text, const std::string& source);
 
-/// File and line, as errors name them.
+/// File and line, as named in errors.
 std::string line_of(const std::string& source, const YAML::Mark& mark);
 
 /// The keys of a map and their values.

@@ -16,7 +16,7 @@ bool is_number_list(const YAML::Node& node) {
                      [](const YAML::Node& element) { return element.IsScalar(); });
 }
 
-/// x, y and z among its keys, with or without a unit.
+/// Whether x, y and z are among its keys, with or without a unit.
 bool has_position_keys(const YAML::Node& map) {
   std::set<std::string> axes;
   for (const auto& entry : map) {

@@ -25,7 +25,7 @@ std::vector<double> all_numbers(const PoseConvention& convention, const Waypoint
   return numbers;
 }
 
-/// Writes documents as they were read, but for the numbers of their poses.
+/// Writes documents as they were read, except for the numbers of their poses.
 class ShapeWriter {
  public:
   ShapeWriter(const ToolPath& path, const PoseConvention& convention, const YamlShape& shape)
@@ -76,7 +76,7 @@ class ShapeWriter {
     write_other(node, [this](const YAML::Node& child, const std::string&) { write(child); });
   }
 
-  /// @param write_child of an element or of a value, with its index or key
+  /// @param write_child writes an element or value, given its index or key
   template <class WriteChild>
   void write_other(const YAML::Node& node, const WriteChild& write_child) {
     if (node.IsMap()) {
@@ -106,7 +106,7 @@ class ShapeWriter {
       return;
     }
     const std::string& tag = node.Tag();
-    if (tag == "!") {  // it was in quotes
+    if (tag == "!") {  // was in quotes
       out_ << YAML::DoubleQuoted << node.Scalar();
       return;
     }
@@ -114,8 +114,8 @@ class ShapeWriter {
     out_ << node.Scalar();
   }
 
-  /// The next segment's waypoints, each in the shape of a pose of the file: as many as there are,
-  /// or, where the path was resampled, the pose at the same share of the way.
+  /// Writes the next segment's waypoints, each in the shape of a pose of the file: the
+  /// corresponding one, or, if the path was resampled, the one at the same share of the segment.
   template <class Before>
   void write_poses(const std::vector<YAML::Node>& poses, const Before& before) {
     if (next_ == path_.segments.size()) refuse();
@@ -137,7 +137,7 @@ class ShapeWriter {
     });
   }
 
-  /// Writes a number that has not changed as it was written before.
+  /// Writes an unchanged number as it was written before.
   void write_number(const YAML::Node& node, double number) {
     const auto before = scan_cell_common::parse_number(node.Scalar());
     out_ << (before && *before == number ? node.Scalar() : to_text(number));
@@ -146,7 +146,7 @@ class ShapeWriter {
   const ToolPath& path_;
   const PoseConvention& convention_;
   const YamlShape& shape_;
-  std::map<std::string, std::size_t> places_;  // of a slot's number among a waypoint's
+  std::map<std::string, std::size_t> places_;  // index of a slot's number in a waypoint
   YAML::Emitter out_;
   std::vector<double> numbers_;
   std::size_t next_ = 0;  // segment
@@ -193,7 +193,7 @@ void write_new(YAML::Emitter& out, const Waypoint& waypoint, const Eigen::Quater
   out << YAML::EndMap;
 }
 
-/// A file of our own.
+/// A new file in our format.
 std::string new_yaml(const ToolPath& path, const PoseConvention& convention) {
   YAML::Emitter out;
   out << YAML::BeginMap << YAML::Key << "name" << YAML::Value << YAML::DoubleQuoted << path.name;

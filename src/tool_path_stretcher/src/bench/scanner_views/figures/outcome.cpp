@@ -10,7 +10,7 @@ namespace {
 
 using tool_path_stretcher::WaypointQuality;
 
-/// Of one waypoint.
+/// Errors of one waypoint.
 struct Off {
   double normal, along, angle;
 };
@@ -22,7 +22,7 @@ Off off(const Eigen::Isometry3d& is, const Eigen::Isometry3d& should) {
           Eigen::AngleAxisd(is.linear().transpose() * should.linear()).angle()};
 }
 
-// Of waypoints without an expected error of orientation, and with it.
+// For quality types without and with an expected error of orientation.
 template <class Quality>
 double expected_angle(const Quality& /*quality*/, long /*without*/) {
   return tool_path_stretcher::kUnknown;

@@ -14,12 +14,12 @@ double middle_of(std::vector<double> values) {
   return values.empty() ? NAN : values[values.size() / 2];
 }
 
-/// Of the cases of one family, or of all.
+/// Sums over the cases of one family, or of all.
 struct Sums {
   std::size_t cases = 0, to_accept = 0;
   std::size_t right = 0, wrong = 0, needless = 0, rightly_refused = 0;
-  double normal = 0, tangential = 0, angle = 0;  // squares of those that are right
-  Expectations counts;                           // of those that are accepted
+  double normal = 0, tangential = 0, angle = 0;  // squares over the right ones
+  Expectations counts;                           // of the accepted ones
   std::vector<double> seconds;
 };
 
@@ -56,7 +56,7 @@ void print(const std::string& family, const Sums& sums) {
   std::printf("\n");
 }
 
-/// One method over the cases in which the yardsticks were run.
+/// Prints one method over the cases in which the yardsticks ran.
 template <class OutcomeOf>
 void print_method(const std::string& name, const std::vector<CaseResult>& results,
                   const OutcomeOf& outcome_of) {

@@ -18,7 +18,7 @@ struct CaseResult {
   bool to_accept = true;
   std::size_t points = 0;  //!< of the object's cloud
   Outcome ours;
-  std::vector<Outcome> others;  //!< in the order of the yardsticks' names; empty: not run
+  std::vector<Outcome> others;  //!< in the order of yardsticks(); empty: not run
 };
 
 /// Names of the yardsticks.
@@ -26,16 +26,17 @@ const std::vector<std::string>& yardsticks();
 
 using scan_cell_common::kDegrees;
 
-/// Of a table; empty: not known.
+/// Text of a table cell; empty if unknown.
 std::string cell_of(double value, int digits);
 std::string percent_of(std::size_t part, std::size_t whole);
 
-/// Tables in Markdown: a line a case as it comes, then a line a family, and one a method.
+/// Prints Markdown tables: one line per case as it finishes, then one per family and one per
+/// method.
 void print_head(bool with_others);
 void print_line(const CaseResult& result);
 void print_sums(const std::vector<CaseResult>& results);
 
-/// All figures as JSON.
+/// Saves all figures as JSON.
 /// @throw scan_cell_common::FileError
 void save_json(const std::string& file, std::uint64_t seed, const std::vector<CaseResult>& results);
 

@@ -10,38 +10,38 @@
 
 namespace scanner_views {
 
-/// Verdict of a yardstick whose program is not there.
+/// Verdict of a yardstick whose program is not installed.
 constexpr const char* kNotInstalled = "not installed";
 
-/// What a method made of a view.
+/// A method's result for a view.
 struct Answer {
   bool accepted = false;
-  std::string verdict;                                        //!< in its own words
+  std::string verdict;                                        //!< in the method's own words
   std::string message;                                        //!< why it refused
   ToolPath path;                                              //!< on the object
-  std::vector<tool_path_stretcher::WaypointQuality> quality;  //!< only ours
-  double seconds = 0;                                         //!< of the processor
+  std::vector<tool_path_stretcher::WaypointQuality> quality;  //!< ours only
+  double seconds = 0;                                         //!< processor time
 };
 
-/// What the yardsticks are given: both surfaces on the default grid, as the suite reduces them.
+/// Input of the yardsticks: both surfaces on the default grid, reduced as in the suite.
 struct Reduced {
   Points reference;  //!< [m]
   Points object;     //!< [m]
 };
 Reduced reduced(const View& view);
 
-/// The suite's, with default parameters.
+/// The suite with default parameters.
 Answer run_ours(const View& view);
 
 /// The thesis' general method, which never refuses.
 Answer run_thesis(const View& view);
 
-/// PCL's FPFH, prerejective RANSAC and ICP with scale; accepted: both say that they converged.
+/// PCL's FPFH, prerejective RANSAC and ICP with scale; accepted if both report convergence.
 Answer run_pcl(const View& view);
 
-/// Open3D's FPFH, RANSAC and ICP with scale (open3d_registration.py); accepted: ICP's fitness is
+/// Open3D's FPFH, RANSAC and ICP with scale (open3d_registration.py); accepted if ICP's fitness is
 /// above 0.
-/// @return the verdict "not installed" where python3-open3d is not
+/// @return the verdict "not installed" if python3-open3d is missing
 Answer run_open3d(const View& view);
 
 }  // namespace scanner_views

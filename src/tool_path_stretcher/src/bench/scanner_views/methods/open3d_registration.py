@@ -3,11 +3,11 @@
 
 The settings are those of Open3D's tutorial "Global registration", scaled to the part as in the bench's PCL pipeline: a
 grid of 1/30 of the reference's half diagonal, normals over 2 cells, features over 5, pairs within 1.5 cells. The scale
-to start from is the ratio of the clouds' RMS sizes, because RANSAC over features knows one size only.
+to start from is the ratio of the clouds' RMS sizes, because RANSAC over features knows only one size.
 
 Usage: open3d_registration.py REFERENCE.ply OBJECT.ply
-Prints the 4 x 4 matrix that puts the reference on the object, a row a line, then ICP's fitness and the seconds of the
-processor. Exit code 3: Open3D is not installed."""
+Prints the 4 x 4 matrix that puts the reference on the object, one row per line, then ICP's fitness and the seconds of
+processor time. Exit code 3: Open3D is not installed."""
 
 import sys
 import time
@@ -29,7 +29,7 @@ def rms_size(cloud):
 
 
 def described(cloud, cell):
-    """The cloud on a grid, and the features of its points."""
+    """The cloud reduced on a grid, and the features of its points."""
     reduced = cloud.voxel_down_sample(cell)
     search = open3d.geometry.KDTreeSearchParamHybrid
     reduced.estimate_normals(search(radius=2 * cell, max_nn=30))

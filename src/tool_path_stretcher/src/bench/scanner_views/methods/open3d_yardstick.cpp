@@ -27,7 +27,7 @@ void save(const std::string& file, const Points& points) {
   scan_cell_common::save_cloud(file, cloud);
 }
 
-/// What a command prints.
+/// Runs a command and collects its output.
 /// @return its exit code
 int output_of(const std::string& command, std::string& text) {
   FILE* const output = popen(command.c_str(), "r");
@@ -39,7 +39,7 @@ int output_of(const std::string& command, std::string& text) {
   return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
 }
 
-/// Rotation and scale put each waypoint and turn it.
+/// Moves each waypoint by the transform and rotates it.
 void carry_over(const Eigen::Matrix4d& transform, ToolPath& path) {
   const Eigen::Matrix3d scaled = transform.topLeftCorner<3, 3>();
   const Eigen::Matrix3d rotation = tool_path_stretcher::nearest_rotation(scaled);
@@ -55,7 +55,7 @@ void carry_over(const Eigen::Matrix4d& transform, ToolPath& path) {
 }  // namespace
 
 Answer run_open3d(const View& view) {
-  static bool installed = true;  // asked once
+  static bool installed = true;  // checked once
   Answer answer;
   answer.verdict = kNotInstalled;
   if (!installed) return answer;

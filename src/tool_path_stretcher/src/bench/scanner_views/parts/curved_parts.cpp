@@ -10,13 +10,13 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// A bent pipe with a flange that has one flat side, lying on its bend's plane.
+/// A bent pipe with a flange that has one flat side, lying in the plane of its bend.
 Mesh pipe_elbow(Draws& draws) {
   constexpr int kRound = 64, kAlong = 60;
   const double bend = draws.between(0.07, 0.1), radius = draws.between(0.022, 0.03);
   const double flange = 1.6 * radius, leg = draws.between(0.03, 0.05), thick = 0.01, wall = 0.004;
   const double whole = leg + bend * M_PI / 2;
-  /// @param flat [m] beyond which the flange is cut off
+  /// @param flat [m] where the flange is cut off
   const auto line = [&](double along, double r, double flat) {
     const double turn = std::max(0.0, along - leg) / bend;
     const Vector3d middle = turn > 0
@@ -109,7 +109,7 @@ Mesh wavy_sheet(Draws& draws) {
       150, 100));
 }
 
-/// A doubly curved shell of 3 mm, cut off slantwise at one end.
+/// A doubly curved shell of 3 mm, cut off obliquely at one end.
 Mesh saddle_shell(Draws& draws) {
   constexpr double kThick = 0.003;
   constexpr int kColumns = 80, kRows = 60;

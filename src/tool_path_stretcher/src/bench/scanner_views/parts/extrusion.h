@@ -10,16 +10,17 @@ namespace scanner_views {
 /// A profile cut to length, lying along y.
 struct Extrusion {
   cases::Loop section;     //!< [m] (x, z), without crossings
-  double length = 0;       //!< [m] where the section's origin is
-  double slant_front = 0;  //!< how far the front face goes back, a metre of x
-  double slant_back = 0;   //!< the same of the back
+  double length = 0;       //!< [m] at the section's origin
+  double slant_front = 0;  //!< offset of the front face backwards per metre of x
+  double slant_back = 0;   //!< the same for the back
 };
 
 /// Its closed surface, standing on z = 0 and centred in x and y.
 Mesh solid_of(const Extrusion& extrusion);
 
-/// Closed lines one after the other, each of as many points, and back to the first: a ring with
-/// that section. The inside is left of the lines' direction, seen from one line to the next.
+/// A ring from closed lines with equally many points, one after the other and back to the first.
+/// Each line is a section. The inside is left of the lines' direction, seen from one line to the
+/// next.
 Mesh ring_of(const std::vector<Points>& lines);
 
 /// A surface over u and v in 0 .. 1, open at its rim; its outside is d/du x d/dv.
@@ -38,7 +39,7 @@ Mesh sheet_of(const At& at, int columns, int rows) {
   return builder.take();
 }
 
-/// Moved so that it stands on z = 0 and is centred in x and y.
+/// The mesh moved to stand on z = 0, centred in x and y.
 Mesh standing(Mesh mesh);
 
 }  // namespace scanner_views

@@ -12,8 +12,8 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// The triangle, or those that it falls into when its long edges are halved. Both triangles at an
-/// edge halve it alike, so no gap opens.
+/// Adds the triangle, or those that result from halving its long edges. Both triangles at an edge
+/// halve it in the same way, so no gap opens.
 void halve(const std::array<Vector3d, 3>& corner, double longest, std::vector<Vector3d>& result) {
   std::array<bool, 3> is_long{};
   std::array<Vector3d, 3> middle;

@@ -12,16 +12,16 @@ namespace scanner_views {
 using scan_cell_sim::Mesh;
 using tool_path_stretcher::Points;
 
-/// Puts triangles together, each with corners of its own; seen from outside they turn left.
+/// Builds a mesh of triangles with separate corners, counter-clockwise seen from outside.
 class MeshBuilder {
  public:
-  /// A triangle without area is left out.
+  /// Adds a triangle, unless it has no area.
   void triangle(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c);
   void quad(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c,
             const Eigen::Vector3d& d);
 
-  /// Between two closed lines of as many points: the inner side is left of the way from `from` to
-  /// `to`, seen along the lines.
+  /// Adds a band between two closed lines with equally many points. The inside is left of the
+  /// direction from `from` to `to`, seen along the lines.
   void band(const Points& from, const Points& to);
 
   Mesh take() { return std::move(mesh_); }
@@ -30,10 +30,10 @@ class MeshBuilder {
   Mesh mesh_;
 };
 
-/// Edges halved until none is longer [m]; neighbours stay joined.
+/// Halves edges until none is longer than `longest` [m]; neighbours stay joined.
 Mesh refined(const Mesh& mesh, double longest);
 
-/// Each corner where `place` puts it.
+/// Moves each corner to where `place` puts it.
 template <class Place>
 Mesh moved(Mesh mesh, const Place& place) {
   for (Eigen::Vector3d& vertex : mesh.vertices)
@@ -41,10 +41,10 @@ Mesh moved(Mesh mesh, const Place& place) {
   return mesh;
 }
 
-/// [m] of the box around it
+/// Bounding box [m].
 Eigen::AlignedBox3d box_of(const Mesh& mesh);
 
-/// [m^3] enclosed by a closed mesh; above 0 if its triangles turn left seen from outside
+/// Volume [m^3] of a closed mesh; above 0 if its triangles are counter-clockwise seen from outside.
 double volume_of(const Mesh& mesh);
 
 pcl::PolygonMesh to_polygon_mesh(const Mesh& mesh);

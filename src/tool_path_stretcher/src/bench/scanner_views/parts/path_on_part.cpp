@@ -16,7 +16,8 @@ using Eigen::Vector3d;
 using tool_path_stretcher::Segment;
 using tool_path_stretcher::Waypoint;
 
-/// A line over a part, a: 0 .. 1 along it, in -1 .. 1 of the part's half width and depth.
+/// A line over a part: a = 0 .. 1 along the line gives a point in -1 .. 1 of the part's half width
+/// and depth.
 using Line = std::function<Vector2d(double a)>;
 
 std::vector<Line> lines_of(PathKind kind, Draws& draws) {
@@ -42,10 +43,10 @@ std::vector<Line> lines_of(PathKind kind, Draws& draws) {
   return lines;
 }
 
-/// Whether the surface goes on from one waypoint to the next.
+/// Whether the surface continues from one waypoint to the next.
 bool follows(const Waypoint& from, const Waypoint& to) {
   constexpr double kBend = 0.9;   // cosine, 26 degrees; chosen
-  constexpr double kSlope = 0.6;  // height over the way; chosen
+  constexpr double kSlope = 0.6;  // height over distance; chosen
   const Vector3d way = to.pose.translation() - from.pose.translation();
   return from.pose.linear().col(2).dot(to.pose.linear().col(2)) > kBend &&
          std::abs(way.dot(from.pose.linear().col(2))) < kSlope * way.norm();
@@ -54,9 +55,9 @@ bool follows(const Waypoint& from, const Waypoint& to) {
 }  // namespace
 
 ToolPath path_on(const Mesh& part, PathKind kind, Draws& draws) {
-  constexpr int kSteps = 300;      // of all lines; chosen
-  constexpr double kSteep = 0.35;  // cosine: no steeper faces are worked on from above; chosen
-  constexpr double kAhead = 1e-4;  // of a line, for its direction
+  constexpr int kSteps = 300;      // over all lines; chosen
+  constexpr double kSteep = 0.35;  // cosine: steeper faces are not worked on from above; chosen
+  constexpr double kAhead = 1e-4;  // of a line, to get its direction
   const scan_cell_sim::Scene scene({part}, 1);
   const Eigen::AlignedBox3d box = box_of(part);
   const auto above = [&](const Vector2d& at) -> Vector3d {

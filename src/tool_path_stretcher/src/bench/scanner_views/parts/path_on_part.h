@@ -10,19 +10,19 @@ namespace scanner_views {
 
 using tool_path_stretcher::ToolPath;
 
-/// How a path lies on the top of a part.
+/// The kind of path on the top of a part.
 enum class PathKind {
   kRaster,  //!< lines side by side
-  kRim,     //!< once around, beside the outline
+  kRim,     //!< once around, along the outline
   kWave,    //!< one line that winds along the part
 };
 
-/// A path on what is seen of a part from straight above: z out of the part, x along the path. It is
-/// parted where the surface jumps or bends sharply.
+/// A path on the part's surface as seen from straight above: z out of the part, x along the path.
+/// It is split where the surface jumps or bends sharply.
 ToolPath path_on(const Mesh& part, PathKind kind, Draws& draws);
 
-/// The path without the waypoints for which `keep` is false, parted there; runs of fewer than five
-/// go, too.
+/// The path without the waypoints for which `keep` is false, split there; runs of fewer than five
+/// are dropped too.
 template <class Keep>
 ToolPath parted(const ToolPath& path, const Keep& keep) {
   constexpr std::size_t kFewest = 5;  // waypoints; chosen

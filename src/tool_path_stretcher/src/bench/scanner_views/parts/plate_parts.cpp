@@ -10,7 +10,7 @@ using cases::circle;
 using cases::rectangle_loop;
 using Eigen::Vector2d;
 
-/// Lengths are those of the listing, times what was drawn for the part.
+/// Scales the listed lengths by the part's random factors.
 class Sizes {
  public:
   explicit Sizes(Draws& draws)
@@ -48,7 +48,7 @@ class Sizes {
   double x_, y_, z_;
 };
 
-/// @param moved [m] of one rib along x
+/// @param moved [m] shift of one rib along x
 Mesh bracket(Draws& draws, double moved) {
   const Sizes s(draws);
   const Terrace boss{s.round(0.014, 0.085, 0.042), s.high(0.022), {s.drilled(0.006, 0.085, 0.042)}};

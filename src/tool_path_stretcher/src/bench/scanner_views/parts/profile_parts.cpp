@@ -17,7 +17,7 @@ Mesh extruded(Draws& draws, Loop section, double length) {
   return solid_of(Extrusion{section, lengthened, front, draws.between(-0.25, 0.1)});
 }
 
-/// A bent sheet: its middle line, and the same again at the sheet's thickness.
+/// A bent sheet: its line, and the same line offset by the sheet's thickness.
 Loop hat_section() {
   return {{-0.060, 0},      {-0.030, 0},       {-0.022, 0.032},   {0.022, 0.032},
           {0.030, 0},       {0.060, 0},        {0.060, 0.0025},   {0.0319, 0.0025},

@@ -12,7 +12,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Of parts/meshes; a path is drawn.
+/// A file of parts/meshes; its path is random.
 struct MeshFile {
   const char* name;
   const char* file;
@@ -21,7 +21,7 @@ struct MeshFile {
 
 constexpr std::array kMeshes = {MeshFile{"sander", "crs_sander.stl", 1},
                                 MeshFile{"mounting plate", "godel_mounting_plate.stl", 1},
-                                // Its unit is not known: a sheet of 0.26 m
+                                // Its unit is unknown: taken as a sheet of 0.26 m
                                 MeshFile{"wavy sheet with a hole", "noether_wavy.ply", 0.025}};
 
 Mesh load(const fs::path& file, double metres_per_unit) {

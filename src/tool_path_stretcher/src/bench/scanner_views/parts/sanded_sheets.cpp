@@ -55,7 +55,7 @@ Sheet drawn_sheet(Draws& draws) {
           }};
 }
 
-/// Of cells of about 8 mm; with a wall, closed.
+/// Meshes the sheet in cells of about 8 mm; closed if it has a wall.
 /// @param wall [m] 0: an open sheet
 Mesh mesh_of(const Sheet& sheet, double wall) {
   constexpr double kCell = 0.008;  // [m] chosen
@@ -93,7 +93,7 @@ Mesh mesh_of(const Sheet& sheet, double wall) {
   return builder.take();
 }
 
-/// Lines over the sheet, on across its openings and past its rim, with approach and retract.
+/// Lines over the sheet, across its openings and past its rim, with approach and retract.
 ToolPath raster_over(const Sheet& sheet, Draws& draws) {
   ToolPath path;
   path.name = "raster";

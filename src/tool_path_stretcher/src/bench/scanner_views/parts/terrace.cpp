@@ -23,7 +23,7 @@ Points at_height(const Loop& loop, double z) {
   return points;
 }
 
-/// About the mean of its corners.
+/// The loop scaled about the mean of its corners.
 Loop scaled(Loop loop, double scale) {
   const Vector2d sum = std::accumulate(loop.begin(), loop.end(), Vector2d(0, 0));
   const Vector2d middle = sum / static_cast<double>(loop.size());
@@ -32,7 +32,7 @@ Loop scaled(Loop loop, double scale) {
   return loop;
 }
 
-/// [m] from the mean of the corners to the farthest
+/// [m] from the mean of the corners to the farthest one
 double radius_of(const Loop& loop) {
   const Vector2d sum = std::accumulate(loop.begin(), loop.end(), Vector2d(0, 0));
   double radius = 0;
@@ -41,7 +41,7 @@ double radius_of(const Loop& loop) {
   return radius;
 }
 
-/// In the direction in which the triangles turn left.
+/// The loop in counter-clockwise order.
 Loop left_turning(const Loop& loop) {
   const cases::FlatFace face = cases::triangulated(loop, {});
   return face.points;

@@ -9,13 +9,13 @@ namespace scanner_views {
 
 using cases::Loop;
 
-/// A flat face of a milled or cast part, with the wall that leads to it from the face it stands on:
-/// upwards to a boss or a rib, down into a pocket or through the part.
+/// A flat face of a milled or cast part, with the wall from the face it stands on: up to a boss or
+/// a rib, down into a pocket or through the part.
 struct Terrace {
-  Loop outline;                     //!< of its foot, about the part's middle [m]
+  Loop outline;                     //!< [m] of its foot, relative to the part's middle
   double height = 0;                //!< [m] of the face above the part's underside
   std::vector<Terrace> on_it = {};  //!< apart from each other and from its rim
-  double taper = 1;                 //!< size of the face to that of its foot
+  double taper = 1;                 //!< size of the face relative to its foot
   double chamfer = 0;               //!< [m] height of the chamfer around it
   bool through = false;             //!< a hole through the part: it has no face
 };

@@ -21,9 +21,9 @@ struct LineScanner::Exposure {
   std::uint8_t pass = 0;
 };
 
-/// A part of what a ray of the fan lights, as the camera sees it.
+/// A part of the spot lit by a ray of the fan, as the camera sees it.
 struct LineScanner::Spot {
-  double light = 0;                   // that comes from it; 0: not lit, or not seen
+  double light = 0;                   // light from it; 0: not lit, or not seen
   Vector2d image = Vector2d::Zero();  // [px] from the camera's axis
   unsigned surface = 0;
 };
@@ -47,8 +47,8 @@ LineScanner::Spot LineScanner::spot(const Exposure& exposure, double tangent, do
 
 void LineScanner::measure(const Exposure& exposure, double tangent, Draws& draws,
                           ScanPoints& points) const {
-  // Across the sheet at its middle and 1.2 sigmas beside it, along the line as far as its points
-  // are apart; the weights are a normal distribution's.
+  // Samples across the sheet at its middle and 1.2 sigmas beside it, and along the line over the
+  // spacing of its points, with the weights of a normal distribution.
   constexpr double kBeside = 1.2;
   constexpr double kLess = 0.487;  // exp(-1.2^2 / 2)
   const double along =
@@ -76,7 +76,7 @@ void LineScanner::measure(const Exposure& exposure, double tangent, Draws& draws
   if (light / whole < scanner_.least_light) return;
   centre /= light;
   centre.x() += scanner_.peak_noise / std::sqrt(std::min(1.0, light / whole)) * draws.normal();
-  // Where the camera's ray meets the sheet.
+  // Intersection of the camera's ray with the sheet.
   const Vector3d ray(centre.x() / scanner_.focal_length, centre.y() / scanner_.focal_length, 1);
   const double depth = exposure.normal.dot(exposure.source) / exposure.normal.dot(ray);
   points.places.emplace_back(exposure.camera * (depth * ray));
@@ -86,10 +86,10 @@ void LineScanner::measure(const Exposure& exposure, double tangent, Draws& draws
   points.surfaces.push_back(brightest.surface);
 }
 
-/// What one laser lights of a sweep, as wide as its fan.
+/// The part of a sweep that one laser lights, as wide as its fan.
 struct LineScanner::Strip {
   Eigen::Matrix3d head;
-  Vector3d least;     // [m] in the head's axes, x and y; z where the camera is
+  Vector3d least;     // [m] x and y in the head's axes; z of the camera
   double length = 0;  // [m] along x
   double middle = 0;  // [m] of the strip along y, from `least`
   double widest = 0;  // tangent of the fan's half angle
@@ -116,10 +116,10 @@ void LineScanner::follow(const Strip& strip, Draws& draws, ScanPoints& points) c
 }
 
 void LineScanner::scan(const Sweep& sweep, Draws& draws, ScanPoints& points) const {
-  constexpr double kWidest = 0.4;   // [m] of a strip; chosen: 20 degrees to each side of the fan
-  constexpr double kMargin = 0.01;  // [m] around what is scanned; chosen
+  constexpr double kWidest = 0.4;   // [m] of a strip: 20 degrees to each side of the fan; chosen
+  constexpr double kMargin = 0.01;  // [m] around the scanned region; chosen
   const Vector3d size = sweep.extent.sizes() + 2 * Vector3d::Constant(kMargin);
-  // Above and below the stand-off the sheet is before or behind the camera.
+  // Above and below the stand-off, the sheet is in front of or behind the camera.
   const double aside = size.z() / 2 * scanner_.baseline / scanner_.stand_off;
   const double strips = std::ceil(size.y() / kWidest);
   Strip strip;

@@ -19,7 +19,7 @@ Scanner scanner_for(const Mesh& part, Draws& draws) {
   return scanner;
 }
 
-/// Axes of the scanner: it goes along `heading` in the plane and leans about that way.
+/// Axes of the scanner, which moves along `heading` in the plane and leans about that direction.
 Eigen::Matrix3d head_of(double heading, double lean) {
   const Eigen::Matrix3d down =
       Eigen::AngleAxisd(M_PI, Vector3d::UnitX()).toRotationMatrix();  // z down

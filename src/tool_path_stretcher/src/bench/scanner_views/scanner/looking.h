@@ -9,31 +9,31 @@
 
 namespace scanner_views {
 
-/// From where a part is scanned.
+/// The directions from which a part is scanned.
 enum class Viewing {
   kAboveOneLaser,
   kAboveBothLasers,
   kLeaningOneLaser,  //!< by 20 degrees to one side
-  kTwoSides,         //!< two sweeps that lean by 30 degrees, both lasers
+  kTwoSides,         //!< two sweeps leaning by 30 degrees, both lasers
 };
 
 struct Looking {
   Viewing viewing;
-  double around = 0;  //!< [m] of what surrounds the part that is scanned as well
+  double around = 0;  //!< [m] of the surroundings scanned with the part
 };
 
-/// [m] the farthest two points of its box are apart
+/// [m] diagonal of its bounding box
 double extent_of(const Mesh& mesh);
 
-/// How much coarser a large part is scanned: lines are about 1.2 mm apart up to 0.35 m.
+/// How much coarser a large part is scanned. Up to 0.35 m, lines are about 1.2 mm apart.
 double coarseness_of(const Mesh& part);
 
-/// What a scanner sees; its spacings and heading are drawn.
+/// The scan of the meshes, with random spacings and heading.
 /// @param meshes [m] the part first, z up
 ScanPoints scan(const std::vector<Mesh>& meshes, const Looking& looking, Draws& draws);
 
-/// Adds points that are nobody's.
-/// @param share of the points that are there
+/// Adds stray points.
+/// @param share relative to the existing points
 void scatter(double share, const Mesh& around, Draws& draws, ScanPoints& points);
 
 }  // namespace scanner_views

@@ -30,8 +30,8 @@ Mesh block(const Vector3d& least, const Vector3d& most) {
   return moved(mesh, [&](const Vector3d& at) -> Vector3d { return at + foot; });
 }
 
-/// A post beside the part with a finger that holds it down, reaching in along x.
-/// @param side 1: from where x is greatest, -1
+/// A post beside the part with a finger that reaches in along x and holds the part down.
+/// @param side 1: from the side of greatest x; -1: from the other
 void add_clamp(const scan_cell_sim::Scene& part, const Eigen::AlignedBox3d& box, double side,
                double y, std::vector<Mesh>& meshes) {
   constexpr double kReach = 0.015;   // [m] of the finger over the part
@@ -40,7 +40,7 @@ void add_clamp(const scan_cell_sim::Scene& part, const Eigen::AlignedBox3d& box,
   constexpr double kThick = 0.010;   // [m]
   double top = box.min().z(), rim = 0;
   bool found = false;
-  // Inwards to where the part begins.
+  // Moves inwards to where the part begins.
   for (double in = 0; in < box.sizes().x() / 2 && !found; in += 0.002) {
     const double x = (side > 0 ? box.max().x() : box.min().x()) - side * in;
     const auto hit = part.first_hit({x, y, box.max().z() + 0.1}, -Vector3d::UnitZ());
@@ -79,7 +79,7 @@ std::vector<Mesh> meshes_of(const Surroundings& surroundings, const Mesh& part, 
     }
   }
   if (surroundings.neighbour) {
-    constexpr double kGap = 0.025;  // [m] more than that by which cleaning parts objects
+    constexpr double kGap = 0.025;  // [m] more than the gap by which cleaning separates objects
     const double turn = draws.between(-0.3, 0.3);
     const Mesh lying = moved(alike, [&](const Vector3d& at) -> Vector3d {
       return Eigen::AngleAxisd(turn, Vector3d::UnitZ()) * at;

@@ -9,7 +9,7 @@
 
 namespace scanner_views {
 
-/// What may stand around a part that is scanned.
+/// What may stand around a scanned part.
 struct Surroundings {
   bool floor = false;
   bool clamps = false;     //!< two, each with a finger on the part's rim
@@ -17,7 +17,7 @@ struct Surroundings {
 };
 
 /// Their surfaces.
-/// @param part where it lies, z up
+/// @param part the part in its pose, z up
 /// @param alike the part undeformed, for the neighbour
 std::vector<Mesh> meshes_of(const Surroundings& surroundings, const Mesh& part, const Mesh& alike,
                             Draws& draws);
