@@ -26,7 +26,7 @@ void check_number(const char* name, double value, double most) {
                                            fmt::format("give a number above 0, up to {}", most));
 }
 
-/// The settings' motion is that of one arming.
+/// The settings' motion belongs to a single arming.
 void check_first(std::uint32_t pass) {
   if (pass == 0) return;
   throw scan_cell_common::Refused(
@@ -41,7 +41,8 @@ void check(const ConstantSpeed& motion) {
   constexpr double kMaxSpeed = 100;    // [m/s] chosen: no cell is as fast
   constexpr double kMaxRate = 1e5;     // [Hz] chosen: no camera is as fast
   constexpr double kMinLength = 1e-4;  // [m] chosen: shorter ones give no direction
-  constexpr double kHalfTurn = 1e-6;  // [rad] chosen: closer to half a turn, neither way is shorter
+  constexpr double kHalfTurn =
+      1e-6;  // [rad] chosen: this close to half a turn, both ways are equal
   check_number("speed", motion.speed, kMaxSpeed);
   check_number("frame_rate", motion.frame_rate, kMaxRate);
   if (!motion.start.matrix().allFinite() || !motion.end.matrix().allFinite()) {
@@ -118,7 +119,7 @@ std::optional<PoseAnswer> ConstantSpeedRule::find(std::size_t index, const Pulse
   }
   const auto moved = pose_along(motion, since_start * motion.speed);
   if (!moved) return refuse_beyond_end();
-  // What moved an object from start to `moved` moves the scanner the other way, seen from it.
+  // Seen from the object, the motion from start to `moved` moves the scanner the other way.
   const Eigen::Isometry3d pose =
       motion.object_moves ? motion.start * moved->inverse() * motion.start : *moved;
   return calculated(pose, pulse, motion.speed * std::abs(off));
