@@ -39,10 +39,9 @@ RobotLimits narrowed(const RobotLimits& limits, const RobotModel& robot);
 
 /// How fast the flange may move now.
 struct SpeedLimit {
-  double most = 0;  //!< [m/s]
-  bool reduced =
-      false;  //!< reduced for people near the robot: applies to every motion, not only to lines
-  std::string reason;  //!< for a person
+  double most = 0;       //!< [m/s]
+  bool reduced = false;  //!< for people near the robot: applies to every motion, not only lines
+  std::string reason;    //!< for a person
 };
 
 /// 250 mm/s (ISO 10218-1, reduced speed) unless both this cell and the controller are in automatic.

@@ -19,13 +19,11 @@ struct Motion {
     kAlongArc,  //!< MOVE_CIRCULAR
     kToJoints,  //!< MOVE_JOINT
   };
-  Kind kind = Kind::kToPose;  //!< where it goes, and how
-  Eigen::Isometry3d flange =
-      Eigen::Isometry3d::Identity();  //!< target in base_link; unused for kToJoints
-  Eigen::Isometry3d via =
-      Eigen::Isometry3d::Identity();  //!< of kAlongArc: pose that the arc passes
-  std::vector<double> joints;         //!< of kToJoints: six [rad]
-  double camera_rate = 0;             //!< [Hz]
+  Kind kind = Kind::kToPose;                                 //!< where it goes, and how
+  Eigen::Isometry3d flange = Eigen::Isometry3d::Identity();  //!< target; not for kToJoints
+  Eigen::Isometry3d via = Eigen::Isometry3d::Identity();     //!< of kAlongArc: passed on the way
+  std::vector<double> joints;                                //!< of kToJoints: six [rad]
+  double camera_rate = 0;                                    //!< [Hz]
 };
 
 /// How the controller carries out motions: its parameters in c4g_protocol.md.

@@ -19,7 +19,7 @@ struct FollowTrial {
   std::uint64_t twice = 0;         //!< begun by the controller more than once
   std::uint64_t out_of_order = 0;  //!< a waypoint was left out, repeated or too early
   std::uint64_t in_secret =
-      0;  //!< refused, but begun; followed, but not to the end; or ended with outputs on
+      0;  //!< refused, but begun; followed, but not whole; or outputs still on
   std::vector<std::string> reasons;  //!< of the paths that were refused or ended early
   std::vector<std::string> faults;   //!< what happened in twice, out_of_order and in_secret
   std::uint64_t waypoints = 0;       //!< of all paths followed to the end
