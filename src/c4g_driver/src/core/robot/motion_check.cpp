@@ -110,7 +110,7 @@ MotionEnd MotionCheck::along(const Path& path) const {
   if (hindrance) {
     for (const Path::Stretch& stretch : path.stretches())
       reach({stretch.end, path.at(stretch.end)},
-            stretch.target);  // target's fault comes first
+            stretch.target);  // its fault comes first
     refuse(*hindrance, path.at(hindrance->way));
   }
   const double most = max_override(strain.share);

@@ -41,8 +41,7 @@ void check(const ConstantSpeed& motion) {
   constexpr double kMaxSpeed = 100;    // [m/s] chosen: no cell is as fast
   constexpr double kMaxRate = 1e5;     // [Hz] chosen: no camera is as fast
   constexpr double kMinLength = 1e-4;  // [m] chosen: shorter ones give no direction
-  constexpr double kHalfTurn =
-      1e-6;  // [rad] chosen: this close to half a turn, both ways are equal
+  constexpr double kHalfTurn = 1e-6;  // [rad] chosen: closer to half a turn, neither way is shorter
   check_number("speed", motion.speed, kMaxSpeed);
   check_number("frame_rate", motion.frame_rate, kMaxRate);
   if (!motion.start.matrix().allFinite() || !motion.end.matrix().allFinite()) {
