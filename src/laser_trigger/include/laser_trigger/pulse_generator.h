@@ -71,9 +71,8 @@ class PulseGenerator {
     /// [s] after a pulse during which alternating lasers do not change, if an arming gives no
     /// exposure
     double exposure = 0.001;
-    double exposure_delay =
-        100e-6;                  //!< [s] of the camera's trigger input, added to Arming::exposure
-    double laser_rise = 200e-6;  //!< [s] for which an alternating laser is on before its pulse
+    double exposure_delay = 100e-6;  //!< [s] of the camera's trigger input, added to an arming's
+    double laser_rise = 200e-6;      //!< [s] for which an alternating laser is on before its pulse
   };
   /// What an arming requests.
   struct Arming {
