@@ -262,8 +262,7 @@ TEST_F(TriggerTool, SaysWhatItCannotWatch) {
 TEST_F(TriggerTool, SaysInItsDocumentWhatItSays) {
   std::istringstream page(scan_cell_common::read_file(TRIGGER_DOCUMENT));
   const std::string prompt = "    $ rosrun laser_trigger trigger --port loopback ";
-  std::vector<std::pair<std::string, std::string>>
-      examples;  // words, and the page's output for them
+  std::vector<std::pair<std::string, std::string>> examples;  // words and their output
   for (std::string line; std::getline(page, line);) {
     if (line.compare(0, prompt.size(), prompt) == 0) {
       examples.emplace_back(line.substr(prompt.size()), "");
