@@ -203,8 +203,7 @@ TEST_F(GuardianTest, SaysWhatItCannotOpen) {
 
 TEST(ParallelPort, IsRefusedByItsReason) {
   EXPECT_THROW(ParallelPort("/dev/no_such_port"), NoDevice);
-  EXPECT_THROW(ParallelPort("/dev/null").write(0),
-               NoDevice);  // not a parallel port
+  EXPECT_THROW(ParallelPort("/dev/null").write(0), NoDevice);  // exists, but is no parallel port
   const std::string locked = testing::TempDir() + "/locked_port";
   std::ofstream(locked).close();
   chmod(locked.c_str(), 0);

@@ -109,8 +109,7 @@ MotionEnd MotionCheck::along(const Path& path) const {
       follow(robot_, limits_, path, from_.joints, duration(path, settings_));
   if (hindrance) {
     for (const Path::Stretch& stretch : path.stretches())
-      reach({stretch.end, path.at(stretch.end)},
-            stretch.target);  // its fault comes first
+      reach({stretch.end, path.at(stretch.end)}, stretch.target);  // its fault comes first
     refuse(*hindrance, path.at(hindrance->way));
   }
   const double most = max_override(strain.share);
