@@ -44,7 +44,8 @@ struct SpeedLimit {
   std::string reason;    //!< for a person
 };
 
-/// 250 mm/s (ISO 10218-1, reduced speed) unless both this cell and the controller are in automatic.
+/// max_linear_speed, and at most 250 mm/s (ISO 10218-1, reduced speed) unless operation is
+/// automatic and the controller is not in mode programming.
 /// @param state the controller's latest state, if there is one
 SpeedLimit speed_limit(const RobotLimits& limits, const RobotState* state);
 
@@ -60,9 +61,9 @@ void check_workspace(const Eigen::Isometry3d& flange, const RobotLimits& limits,
                      const std::string& name = "target");
 /// The joints must be six, finite, and each within its range.
 Joints check_joints(const std::vector<double>& joints, const RobotLimits& limits);
-/// @throw scan_cell_common::InvalidParameter if the rate [Hz] is out of range
+/// @throw scan_cell_common::Refused if the rate [Hz] is out of range
 void check_camera_rate(double rate, const RobotLimits& limits);
-/// @throw scan_cell_common::InvalidParameter if the speed [m/s] is above the limit
+/// @throw scan_cell_common::Refused if the speed [m/s] is above the limit
 void check_linear_speed(double speed, const SpeedLimit& limit);
 /// Checks the speed set on the controller, whoever set it.
 void check_speed_in_force(double speed, const SpeedLimit& limit);

@@ -35,7 +35,7 @@ struct TriggerStatus {
   std::uint64_t missed = 0;  //!< deadlines missed in this arming
   double latest = 0;         //!< [s] greatest delay of a pulse of this arming
   double rate = 0;           //!< [Hz] 0: no pulses
-  std::uint8_t lasers = 0;   //!< mask of those that are on now, or that take turns
+  std::uint8_t lasers = 0;   //!< mask of the lasers that are on now or take turns
   bool alternate = false;    //!< they take turns: one is on at a time
   std::string message;       //!< why it was disarmed
   std::string failure;       //!< why the lines could not be set low then

@@ -30,7 +30,7 @@ struct Lighting {
 struct ScanRun {
   std::size_t pass = 0;           //!< from 0
   std::string name;               //!< of the pass, for a person
-  bool approach = true;           //!< it does not begin at the end of the run before
+  bool approach = true;           //!< the run before ends elsewhere
   Eigen::Isometry3d start;        //!< of the flange
   std::vector<MoveTarget> moves;  //!< from the start on, one after the other
   double speed = 0;               //!< [m/s]

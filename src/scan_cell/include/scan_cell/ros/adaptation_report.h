@@ -10,7 +10,7 @@
 
 namespace scan_cell {
 
-/// What describes an adaptation in a running cell, besides the stretcher's result.
+/// Data about an adaptation in a running cell, besides the stretcher's result.
 struct AdaptationRecord {
   std::string reference;         //!< file
   std::string path;              //!< file, proven on the reference

@@ -52,7 +52,7 @@ pcl::PolygonMesh load_mesh(const std::string& path, double metres_per_unit = 1);
 
 /// The parsers behind these functions; `source` names the bytes in errors. cloud_files.cpp says why
 /// they are not PCL's.
-/// @throw FileError if the bytes are invalid or are truncated
+/// @throw FileError if the bytes are invalid or truncated
 Cloud parse_ply(std::string_view bytes, const std::string& source);
 Cloud parse_pcd(std::string_view bytes, const std::string& source);             //!< as parse_ply()
 pcl::PolygonMesh parse_ply_mesh(std::string_view bytes,                         //!< as parse_ply()
@@ -97,7 +97,7 @@ void save_cloud(const std::string& path, const Cloud& cloud, double metres_per_u
 std::size_t remove_non_finite(Cloud& cloud);
 
 /// Removes the points that a scanner wrote where it measured nothing, and returns their number:
-/// those with a coordinate equal to `invalid`, or with z equal to it if it is 0.
+/// those with a coordinate equal to `invalid` or, if it is 0, those with z = 0.
 std::size_t drop_invalid(Cloud& cloud, double invalid);
 
 /// A number that means no measurement: the same extreme value in many points, far from the rest.
