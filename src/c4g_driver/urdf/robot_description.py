@@ -17,14 +17,14 @@ import xml.etree.ElementTree as ElementTree
 
 MODEL = os.path.join(os.path.dirname(os.path.realpath(__file__)), 'smart5_six.urdf')
 PROFILE_TOP = 0.050  # [m] above the flange, of the 40 x 40 mm profile on its plate of 10 mm
-BELOW_LIGHT = 0.031  # [m] from where the light comes out down to the housing's clamp
-OUTWARDS = 0.012  # [m] from there outwards to the clamp's middle
+BELOW_LIGHT = 0.031  # [m] from the light's exit down to the housing's clamp
+OUTWARDS = 0.012  # [m] from there outwards to the middle of the clamp
 LENGTHS = {  # least and most
     'half_distance': (0.05, 0.3, 'm'),  # beside the camera; to the end of the 600 mm profile
     'height': (0.085, 0.5, 'm'),  # with 4 mm of clamp; chosen
     'tilt': (-1.4, 1.4, 'rad'),  # 80 degrees; chosen
 }
-# [m] width and height across the lens, length along it: as in the makers' data sheets, in whole millimetres
+# [m] width and height across the lens, length along it: from the makers' data sheets, in whole millimetres
 BODIES = {'generic': None, 'photonfocus_mv1': (0.055, 0.055, 0.051), 'bluecougar': (0.040, 0.040, 0.035)}
 BODY_BACK = -0.034  # [m] below the lens's frame: on the profile
 LENS = (0.018, 0.032)  # [m] radius and length
@@ -32,7 +32,7 @@ NAMES = ['laser_%d_%s' % (laser, length) for laser in (0, 1) for length in LENGT
 
 
 class BadArgument(Exception):
-    """Names the argument, its value and the cure."""
+    """Refuses an argument, with its name, its value and the cure."""
 
 
 def number(name, text):
@@ -47,7 +47,7 @@ def number(name, text):
 
 
 def parse(words):
-    """Arguments by their names."""
+    """Arguments by name."""
     given = {}
     for word in words:
         name, colon, text = word.partition('=')
@@ -92,7 +92,7 @@ def place_laser(robot, laser, given):
 
 
 def place_camera(robot, size):
-    """The body stands on the profile; the lens goes on from its front."""
+    """Body on the profile, with the lens at its front."""
     body, lens = element(robot, 'link', 'camera_body').findall('visual')
     body.find('origin').set('xyz', numbers((0, 0, BODY_BACK + size[2] / 2)))
     body.find('geometry/box').set('size', numbers(size))

@@ -22,7 +22,7 @@ PulseGenerator::Arming alternating(double rate, double longest_on = 0) {
   return {rate, kBothLasers, longest_on, true, true};
 }
 
-/// Writes down each write as it ends; one in so many that change the lasers may be held up.
+/// Records each write when it ends; one in a given number of laser changes may be held up.
 struct RecordingPort : TriggerPort {
   void write(std::uint8_t value) override {
     const std::lock_guard<std::mutex> lock(mutex);
@@ -46,7 +46,7 @@ class Alternating : public testing::Test {
  protected:
   Alternating() { settings_.keep_alive_timeout = 1000; }
 
-  /// Until so many pulses were sent.
+  /// Runs until a number of pulses have been sent.
   TriggerStatus run(double rate) {
     PulseGenerator generator(port_, nullptr, settings_,
                              {[this](const Pulse& pulse) {
@@ -61,8 +61,8 @@ class Alternating : public testing::Test {
     return generator.disarm("enough");
   }
 
-  /// Each laser that is lit was put there after the exposure of the frame before was over, and is
-  /// on for long enough before its own pulse.
+  /// Expects each laser to be switched on after the exposure of the previous frame, and long enough
+  /// before its own pulse.
   void expect_turns_between_exposures() {
     const auto exposure =
         scan_cell_common::from_seconds(exposure_ > 0 ? exposure_ : settings_.exposure);
@@ -101,7 +101,7 @@ TEST_F(Alternating, TakesTurnsFromLaser0OnAndNeverHasBothOrNoneLit) {
   std::size_t first = 0;
   while (writes.at(first).data == 0)
     ++first;
-  for (std::size_t i = first; i + 2 < writes.size(); ++i) {  // the last are of disarm and the end
+  for (std::size_t i = first; i + 2 < writes.size(); ++i) {  // the last are from disarm and the end
     const auto lasers = static_cast<std::uint8_t>(writes[i].data & kLaserBits);
     EXPECT_TRUE(lasers == kLaser0 || lasers == kLaser1) << int{lasers};
     if ((writes[i].data & ~writes[i - 1].data & kCameraPulse) != 0) at_edges.push_back(lasers);
@@ -134,7 +134,7 @@ TEST_F(Alternating, ChangesPlacesHalfAPeriodAfterThePulseWhereTheExposureIsShort
   }
   ASSERT_GE(waits.size(), kPulses - 1);
   std::nth_element(waits.begin(), waits.begin() + waits.size() / 2, waits.end());
-  // A busy machine makes some pulses late.
+  // On a busy machine some pulses are late.
   EXPECT_GT(waits[waits.size() / 2], 8'000'000);
 }
 
@@ -235,11 +235,11 @@ class AlternatingOnTheWire : public testing::Test {
     generator_->arm(alternating(100, longest_on));
     ASSERT_TRUE(wait_for([this] { return circuit_.rising_edges().size() >= 3; }));
   }
-  /// Low, and never lit again by a turn that was under way.
+  /// Expects the lines low, and no laser switched on again by a change that was in progress.
   void expect_dark_for_good() {
     ASSERT_TRUE(wait_for([this] { return circuit_.data() == 0; }));
     const std::size_t writes = circuit_.writes().size();
-    // It writes zero every second while it is idle: then a turn would long have come.
+    // It writes zero every second while idle: by then a change would long have happened.
     if (generator_) {
       ASSERT_TRUE(wait_for([&] { return circuit_.writes().size() > writes; }));
     }

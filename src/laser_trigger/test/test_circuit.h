@@ -16,7 +16,7 @@
 
 namespace laser_trigger {
 
-/// Waits for a condition; false if it does not come.
+/// Waits for a condition; false if it does not become true.
 inline bool wait_for(const std::function<bool()>& condition, double timeout = 20) {
   const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(timeout);
   while (!condition()) {
@@ -26,7 +26,7 @@ inline bool wait_for(const std::function<bool()>& condition, double timeout = 20
   return true;
 }
 
-/// A trigger circuit on a UDP port of its own, that writes down every byte with its arrival.
+/// A trigger circuit on its own UDP port that records every byte with its arrival.
 class TestCircuit {
  public:
   struct Write {
@@ -36,7 +36,7 @@ class TestCircuit {
 
   ~TestCircuit() { stop(); }
 
-  /// Apart from the constructor, so that a test can fork before there is a thread.
+  /// Separate from the constructor, so that a test can fork before there is a thread.
   void start() {
     thread_ = std::thread([this] { listen(); });
   }
@@ -73,7 +73,7 @@ class TestCircuit {
  private:
   void listen() {
     while (!ending_) {
-      constexpr double kLook = 0.01;  // [s] between two looks at ending_
+      constexpr double kLook = 0.01;  // [s] between two checks of ending_
       if (!socket_->wait(kLook)) continue;
       std::uint8_t bytes[2];
       const auto datagram = socket_->receive(bytes, sizeof(bytes));

@@ -20,7 +20,7 @@ namespace {
 
 constexpr std::uint8_t kLasers = kLaser0 | kLaser1;
 
-/// What a child process does with its pulse generator; the child ends with what this returns.
+/// What a child process does with its pulse generator; the result is the child's exit code.
 using Life = std::function<int(PulseGenerator&)>;
 
 /// @param circuit only its address is used
@@ -29,7 +29,7 @@ int start_child(TestCircuit& circuit, double hang_timeout, const Life& life) {
   if (child < 0) throw std::runtime_error("no process to be had");
   if (child > 0) return child;
   const PortAddress address = circuit.address();
-  circuit.stop();  // the copy of its socket, which would keep a stopped circuit reachable
+  circuit.stop();  // closes its copy of the socket, which would keep a stopped circuit reachable
   Guardian guardian;
   guardian.watch(address, hang_timeout);
   const auto port = open_port(address);
@@ -86,7 +86,7 @@ class GuardianTest : public testing::Test {
     return WIFSIGNALED(status) ? -WTERMSIG(status) : WEXITSTATUS(status);
   }
   void TearDown() override {
-    if (child_ <= 0) return;  // kill(-1) would mean every process there is
+    if (child_ <= 0) return;  // kill(-1) would mean every process
     kill(child_, SIGKILL);
     waitpid(child_, nullptr, 0);
   }
@@ -203,13 +203,13 @@ TEST_F(GuardianTest, SaysWhatItCannotOpen) {
 
 TEST(ParallelPort, IsRefusedByItsReason) {
   EXPECT_THROW(ParallelPort("/dev/no_such_port"), NoDevice);
-  EXPECT_THROW(ParallelPort("/dev/null").write(0), NoDevice);  // there, but no parallel port
+  EXPECT_THROW(ParallelPort("/dev/null").write(0), NoDevice);  // exists, but is no parallel port
   const std::string locked = testing::TempDir() + "/locked_port";
   std::ofstream(locked).close();
   chmod(locked.c_str(), 0);
   const int child = fork();
   ASSERT_GE(child, 0);
-  if (child == 0) {  // as somebody who may not: root may open everything
+  if (child == 0) {  // as an unprivileged user: root may open everything
     if (setuid(65534) != 0) _exit(3);
     try {
       ParallelPort port(locked);

@@ -34,7 +34,7 @@ rospy.spin()
 
 
 class Circuit(threading.Thread):
-    """Writes down every data register it is sent."""
+    """Records every value of the data register that it receives."""
 
     def __init__(self, port):
         super().__init__(daemon=True)
@@ -240,7 +240,7 @@ class LaserTriggerNode(unittest.TestCase):
                 rospy.wait_for_service('/signalled/arm', 60)
                 arm = rospy.ServiceProxy('/signalled/arm', ArmTrigger)
                 guardian = child_of(node.pid)
-                os.kill(guardian, signal.SIGSTOP)  # so that it is not the one who writes
+                os.kill(guardian, signal.SIGSTOP)  # so that the guardian is not the writer
                 answer = arm(rate=100, lasers=3)
                 self.assertTrue(answer.success, answer.message)
                 self.wait(lambda: len(circuit.rising_edges()) > 2, 'the lasers are on')

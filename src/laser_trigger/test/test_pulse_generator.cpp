@@ -61,7 +61,7 @@ TEST(PulseGenerator, HasTheLinesLowBeforeItSaysThatItIsDisarmed) {
   PulseGenerator::Settings settings;
   settings.keep_alive_timeout = 0.1;
   std::mutex mutex;
-  std::vector<int> at_change;  // by the thread that arms, and by that of the pulses
+  std::vector<int> at_change;  // from the thread that arms and the pulse thread
   PulseGenerator generator(port, nullptr, settings,
                            {[](const Pulse&) {},
                             [&] {
@@ -88,7 +88,7 @@ TEST(PulseGenerator, SaysWhereTheLinesCouldNotBeWrittenLow) {
     }
   } port;
   PulseGenerator generator(port, nullptr, {}, {[](const Pulse&) {}, [] {}});
-  generator.arm({0.1, kBoth, 0});  // no pulse comes in between
+  generator.arm({0.1, kBoth, 0});  // no pulse in between
   EXPECT_EQ(generator.disarm("enough").failure, "");
   generator.arm({0.1, kBoth, 0});
   port.lost = true;
@@ -102,7 +102,7 @@ TEST(PulseGenerator, AWriteThatIsHeldUpDoesNotShiftItsEvent) {
     std::vector<std::int64_t> edges;
     void write(std::uint8_t value) override {
       if ((value & kCameraPulse) == 0) return;
-      constexpr std::size_t kHeldUp = 4;  // each fourth pulse
+      constexpr std::size_t kHeldUp = 4;  // every fourth pulse
       constexpr auto kFor = std::chrono::milliseconds(8);
       const std::lock_guard<std::mutex> lock(mutex);
       edges.push_back(scan_cell_common::host_now());
@@ -141,7 +141,7 @@ TEST_F(PulseGeneratorTest, SetsAllLinesLowAtTheStart) {
 
 TEST_F(PulseGeneratorTest, SetsAllLinesLowAgainWhileItIsIdle) {
   make(patient());
-  port_->write(0xff);  // somebody else, or a circuit that was switched on late
+  port_->write(0xff);  // another program, or a circuit switched on late
   EXPECT_TRUE(lines_go_low());
 }
 
@@ -165,7 +165,7 @@ TEST_F(PulseGeneratorTest, PulsesOnItsDeadlinesWithAnEventOfEachRisingEdge) {
     EXPECT_EQ(events[i].lasers, kBoth);
     // The event is never later than the edge's arrival by more than the time of the write itself.
     EXPECT_LT(events[i].time - edges[i], 2'000'000);
-    // Nor more than a period off its deadline: deadlines are absolute, so nothing adds up.
+    // Nor more than a period off its deadline: deadlines are absolute, so errors do not add up.
     const std::int64_t since = events[i].time - events[0].time;
     const std::int64_t deadlines = (since + kPeriod / 2) / kPeriod;
     EXPECT_GE(deadlines, static_cast<std::int64_t>(i));

@@ -26,10 +26,10 @@ struct Outcome {
   std::string said;  //!< on both outputs
 };
 
-/// A program whose outputs are read; killed where a test leaves it running.
+/// A program whose outputs are read; killed if a test leaves it running.
 class Command {
  public:
-  // The shell becomes the program, so that its number comes before all that the program says.
+  // The shell becomes the program, so its process id comes before all output of the program.
   explicit Command(const std::string& words)
       : pipe_(popen(("echo $$; exec " + words + " 2>&1").c_str(), "r")),
         process_(std::stoi(line())) {}
@@ -85,7 +85,7 @@ class TriggerTool : public testing::Test {
   bool becomes(std::uint8_t data) {
     return wait_for([this, data] { return circuit_.data() == data; });
   }
-  /// All lasers that were on at some time, in the register's bits.
+  /// All lasers that were on at any time, in the register's bits.
   std::uint8_t lit() const {
     std::uint8_t bits = 0;
     for (const TestCircuit::Write& write : circuit_.writes())
@@ -262,7 +262,7 @@ TEST_F(TriggerTool, SaysWhatItCannotWatch) {
 TEST_F(TriggerTool, SaysInItsDocumentWhatItSays) {
   std::istringstream page(scan_cell_common::read_file(TRIGGER_DOCUMENT));
   const std::string prompt = "    $ rosrun laser_trigger trigger --port loopback ";
-  std::vector<std::pair<std::string, std::string>> examples;  // words, what the page says they say
+  std::vector<std::pair<std::string, std::string>> examples;  // words and their output
   for (std::string line; std::getline(page, line);) {
     if (line.compare(0, prompt.size(), prompt) == 0) {
       examples.emplace_back(line.substr(prompt.size()), "");

@@ -10,7 +10,7 @@
 
 namespace pose_frame_binder {
 
-/// No frame has another pulse than the one that exposed it; returns how many have one.
+/// Expects no frame to have a pulse other than the one that exposed it; returns how many have one.
 inline std::size_t count_right(const SyntheticScan& scan, const Outcome& outcome) {
   std::size_t right = 0;
   for (const Decision& decision : outcome.decisions) {
@@ -25,7 +25,8 @@ inline std::size_t count_right(const SyntheticScan& scan, const Outcome& outcome
   return right;
 }
 
-/// No frame has another laser than the one that was lit with its pulse; returns how many have it.
+/// Expects no frame to have a laser other than the one that was on with its pulse; returns how many
+/// have it.
 inline std::size_t count_lit(const SyntheticScan& scan, const Outcome& outcome) {
   std::size_t lit = 0;
   for (const Decision& decision : outcome.decisions) {
@@ -39,7 +40,8 @@ inline std::size_t count_lit(const SyntheticScan& scan, const Outcome& outcome) 
   return lit;
 }
 
-/// Every frame is decided once, and every pulse is bound, or named by a drop, or never arrived.
+/// Expects every frame to be decided once, and every pulse to be bound, named by a drop, or never
+/// arrived.
 inline void expect_all_accounted(const SyntheticScan& scan, const Outcome& outcome) {
   const Audit& audit = outcome.audit;
   EXPECT_EQ(audit.frames, scan.frames.size());

@@ -20,7 +20,7 @@ constexpr Nanoseconds at(double milliseconds) {
   return kStart + static_cast<Nanoseconds>(milliseconds * kMillisecond);
 }
 
-/// A pose that tells its own number by its x.
+/// A pose whose x is its own number.
 inline TimedPose pose_at(double milliseconds, double x) {
   TimedPose pose;
   pose.time = at(milliseconds);
@@ -28,12 +28,12 @@ inline TimedPose pose_at(double milliseconds, double x) {
   return pose;
 }
 
-/// What goes into a binder, and the truth about it.
+/// The input of a binder, and the truth about it.
 struct SyntheticScan {
   std::vector<TimedPose> poses;
   std::vector<Pulse> pulses;
   std::vector<Frame> frames;
-  std::vector<Run> runs;            // told before the scan
+  std::vector<Run> runs;            // announced before the scan
   std::vector<std::int64_t> truth;  //!< index of each frame's pulse; -1: none
 
   void add_pulse(double milliseconds, std::uint32_t arming = 1) {
@@ -50,7 +50,8 @@ struct SyntheticScan {
   }
 };
 
-/// Pulses every `period` [ms], a frame of each with counters from 101, poses every 2 ms around.
+/// Pulses every `period` [ms], a frame of each with counters from 101, and poses every 2 ms around
+/// them.
 inline SyntheticScan steady_scan(std::size_t pulses, double period = 10) {
   SyntheticScan scan;
   for (std::size_t i = 0; i < pulses; ++i) {
@@ -64,8 +65,8 @@ inline SyntheticScan steady_scan(std::size_t pulses, double period = 10) {
   return scan;
 }
 
-/// Whose lasers take turns from laser_0 on. The first `slow` intervals are twice as long; the
-/// trigger sends 4 of them.
+/// A scan whose lasers take turns, starting with laser_0. The first `slow` intervals are twice as
+/// long; the trigger sends 4 of them.
 inline SyntheticScan alternating_scan(std::size_t pulses, double period = 10,
                                       std::size_t slow = 4) {
   SyntheticScan scan = steady_scan(pulses + slow, period);
@@ -80,7 +81,8 @@ inline SyntheticScan alternating_scan(std::size_t pulses, double period = 10,
   return scan;
 }
 
-/// 30 pulses, and 30 of a second arming from 1003 ms on, whose frames count on; no poses there.
+/// 30 pulses, and 30 of a second arming from 1003 ms on, whose frames continue the counter; no
+/// poses in between.
 inline SyntheticScan armed_twice() {
   SyntheticScan scan = steady_scan(30);
   for (int i = 0; i < 30; ++i) {
@@ -90,7 +92,7 @@ inline SyntheticScan armed_twice() {
   return scan;
 }
 
-/// What came out of a binder.
+/// The output of a binder.
 struct Outcome {
   std::vector<Decision> decisions;
   Audit audit;
@@ -114,7 +116,7 @@ inline void collect(Binder& binder, Outcome& outcome) {
     outcome.decisions.push_back(std::move(decision));
 }
 
-/// Feeds a scan; which kind comes next is drawn at random with these weights.
+/// Feeds a scan; the kind that comes next is drawn at random with these weights.
 inline Outcome run(const SyntheticScan& scan, const Settings& settings, unsigned seed = 0,
                    std::array<double, 3> weights = {1, 1, 1}) {
   Binder binder(settings);

@@ -1,6 +1,5 @@
-// Copyright 2026 the scan cell developers
-// SPDX-License-Identifier: BSD-3-Clause
-// Which laser drew a frame's line, above all where they take turns.
+// Copyright 2026 the scan cell developers SPDX-License-Identifier: BSD-3-Clause Which laser drew a
+// frame's line, above all if they take turns.
 #include <gtest/gtest.h>
 
 #include "accounts.h"
@@ -9,7 +8,7 @@ using namespace pose_frame_binder;  // NOLINT
 
 namespace {
 
-/// Without the frames before this pulse.
+/// The scan without its first frames.
 SyntheticScan without_first_frames(SyntheticScan scan, std::size_t count) {
   const auto lost = static_cast<std::ptrdiff_t>(count);
   scan.frames.erase(scan.frames.begin(), scan.frames.begin() + lost);
@@ -144,13 +143,13 @@ TEST(Alternating, NeedsNoProofWhereTheLaserStaysTheSame) {
   const SyntheticScan scan = steady_scan(50);
   Settings settings;
   EXPECT_EQ(run(scan, settings).audit.frames_bound, 50U);
-  settings.camera_latency = 14e-3;  // wrong by an interval: its poses are, but not the laser
+  settings.camera_latency = 14e-3;  // wrong by an interval: so are its poses, but not the laser
   EXPECT_GT(run(scan, settings).audit.frames_bound, 40U);
 }
 
 namespace {
 
-/// The camera is started again at the frame with index 50.
+/// The camera is restarted at the frame with index 50.
 SyntheticScan started_again() {
   SyntheticScan scan = alternating_scan(100);
   for (std::size_t i = 50; i < 100; ++i) {

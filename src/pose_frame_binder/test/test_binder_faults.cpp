@@ -66,7 +66,7 @@ TEST(Binder, DropsRepeatedLateAndCorruptFramesByTheirReason) {
 }
 
 TEST(Binder, FindsASlipOfOneThatTheCounterHides) {
-  // The camera does not take the pulse with index 25, and counts on without a gap.
+  // The camera does not take the pulse with index 25, and continues counting without a gap.
   SyntheticScan scan = steady_scan(50);
   scan.frames.erase(scan.frames.begin() + 25);
   scan.truth.erase(scan.truth.begin() + 25);
@@ -82,7 +82,7 @@ TEST(Binder, FindsASlipOfOneThatTheCounterHides) {
 
 TEST(Binder, DropsAFrameWhoseCounterOrStampIsWrong) {
   SyntheticScan scan = steady_scan(50);
-  ++scan.frames[12].counter;                   // the next frame has that one too
+  ++scan.frames[12].counter;                   // the next frame has the same one
   scan.frames[31].stamp += 10 * kMillisecond;  // a whole period
   scan.frames[40].counter += 1'000'000;
   const Outcome outcome = run(scan, {});
@@ -172,7 +172,7 @@ TEST(Binder, GoesOnAfterTheTriggerWasArmedAgain) {
 TEST(Binder, DropsAndCountsFramesWhoseCounterJumpsBack) {
   SyntheticScan scan = steady_scan(50);
   for (std::size_t i = 30; i < 50; ++i)
-    scan.frames[i].counter -= 25;  // the camera was restarted, and nobody said so
+    scan.frames[i].counter -= 25;  // the camera was restarted without a report
   const Outcome outcome = run(scan, {});
   EXPECT_EQ(count_right(scan, outcome), 30U);
   EXPECT_EQ(outcome.dropped(DropReason::kRepeated), 20U);

@@ -28,7 +28,7 @@ Settings motion() {
   return settings;
 }
 
-/// The motion is told of each arming.
+/// The motion of each arming is announced.
 Settings told() {
   Settings settings = motion();
   settings.constant_speed = {};
@@ -37,7 +37,7 @@ Settings told() {
 
 constexpr double kLate = 0.003;  // [m] from the start to the first pulse
 
-/// 50 pulses along that motion; the robot goes at this share of the speed.
+/// 50 pulses along that motion; the robot moves at this share of the speed.
 SyntheticScan told_and_measured(double share) {
   SyntheticScan scan = steady_scan(50);
   scan.runs = {{0, motion().constant_speed}};
@@ -102,14 +102,14 @@ TEST(ConstantSpeed, MovesTheScannerTheOtherWayWhereAConveyorMovesTheObject) {
   EXPECT_LT((outcome.match(100)->pose.translation() - truth).norm(), 1e-12);
   EXPECT_LT((outcome.match(100)->pose.linear() - line.start.linear()).norm(), 1e-12);
 
-  // An object that turns too: what the scanner sees of it must stay where it is on the object.
+  // An object that also turns: a point seen by the scanner must stay in its place on the object.
   settings = motion();
   settings.constant_speed.object_moves = true;
   outcome = bind(steady_scan(101), settings);
   const Eigen::Isometry3d start = settings.constant_speed.start;
   const Eigen::Isometry3d moved =
       scan_cell_common::interpolate(start, settings.constant_speed.end, 0.2);
-  const Eigen::Vector3d seen(0.01, 0.02, 0.4);  // by the scanner that stands
+  const Eigen::Vector3d seen(0.01, 0.02, 0.4);  // by the scanner, which stands
   const Eigen::Vector3d on_object = (moved * start.inverse()).inverse() * (start * seen);
   EXPECT_LT((outcome.match(100)->pose * seen - on_object).norm(), 1e-12);
 }
@@ -131,7 +131,7 @@ TEST(ConstantSpeed, DropsFramesBehindTheEnd) {
 
 TEST(ConstantSpeed, SaysHowFarAnUnsteadyFrameRatePutsItOff) {
   SyntheticScan scan = steady_scan(50);
-  for (std::size_t i = 25; i < 50; ++i) {  // a beat was left out
+  for (std::size_t i = 25; i < 50; ++i) {  // a pulse was left out
     scan.pulses[i].time += 10 * kMillisecond;
     scan.frames[i].stamp += 10 * kMillisecond;
   }
@@ -191,7 +191,7 @@ TEST(ConstantSpeed, KnowsWhereTheRobotIsWhereATriggerLeavesPulsesOut) {
   scan.runs = {{0, motion().constant_speed}};
   const Outcome outcome = run(scan, told());
   ASSERT_EQ(outcome.audit.frames_bound, 30U);
-  // Its first four intervals are of two periods.
+  // Its first four intervals have two periods.
   EXPECT_NEAR(outcome.match(1)->pose.translation().x(), 1 + 0.6 * 0.002, 1e-9);
   EXPECT_NEAR(outcome.match(29)->pose.translation().x(), 1 + 0.6 * 0.033, 1e-9);
 }
@@ -204,7 +204,7 @@ TEST(ConstantSpeed, SaysHowFarTheRobotWasFromWhereItIsPut) {
 }
 
 TEST(ConstantSpeed, DropsFramesWhereTheRobotDidNotMoveAsFastAsItWasTold) {
-  // It falls back by 0.52 mm a pulse, and 5 mm are what takes max_pose_gap.
+  // It falls back by 0.52 mm per pulse; max_pose_gap corresponds to 5 mm.
   const Outcome outcome = run(told_and_measured(0.48), told());
   EXPECT_EQ(outcome.audit.frames_bound, 10U);
   EXPECT_EQ(outcome.dropped(DropReason::kPoseGap), 40U);

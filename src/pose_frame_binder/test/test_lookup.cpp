@@ -149,7 +149,7 @@ TEST(LookupServer, ServesSeveralClientsAndNoMoreThanAllowed) {
     EXPECT_EQ(third.receive(), "hung up");
   }
   std::string answer;
-  for (int i = 0; i < 1000 && answer != "<4>"; ++i)  // until the second's place is free
+  for (int i = 0; i < 1000 && answer != "<4>"; ++i)  // until the second client's place is free
     answer = Client(server.port()).ask("4\n");
   EXPECT_EQ(answer, "<4>");
   EXPECT_EQ(first.ask("5\n"), "<5>");

@@ -26,7 +26,7 @@ class Rules : public testing::Test {
   PoseAnswer answer(std::size_t pulse) const {
     return make_pose_rule(settings_)->find(pulse, pulses_, poses_).value();
   }
-  /// Number of the pose that the pulse got; -1: none.
+  /// Number of the pulse's pose; -1: none.
   double pose_of(std::size_t pulse) const {
     const PoseAnswer found = answer(pulse);
     return found.match ? found.match->pose.translation().x() : -1;
@@ -107,7 +107,7 @@ TEST_F(FirstPose, BoundsItsErrorByTheWayToTheNextPose) {
   have({0, 10, 20}, {1, 11, 21});
   // 1 m in 10 ms from pose to pose: 0.1 m after 1 ms, and a t (T - t) / 2 = 45 um on top.
   EXPECT_NEAR(answer(0).match->position_error_bound, 0.1 + 10.0 / 2 * 1e-3 * 9e-3, 1e-9);
-  // Nothing after the last pose: the most speed.
+  // Nothing after the last pose: max_speed.
   EXPECT_NEAR(answer(2).match->position_error_bound, settings_.max_speed * 1e-3, 1e-9);
 }
 

@@ -48,7 +48,7 @@ class FaultyScan {
       scan.add_frame(i, counter, 4 + uniform(0, 1.5), acquisition);
       Frame& frame = scan.frames.back();
       if (chance(0.05)) frame.corrupt = "packets missing";
-      if (chance(0.01)) {  // one of both is wrong: where they are wrong together nobody can tell
+      if (chance(0.01)) {  // only one is wrong: both wrong together cannot be detected
         frame.counter += static_cast<std::uint64_t>(uniform(1, 100));
       } else if (chance(0.01)) {
         frame.stamp += static_cast<Nanoseconds>(uniform(-50, 50)) * kMillisecond;
@@ -92,7 +92,7 @@ TEST_P(RandomFaults, NeverPairAFrameWithAnotherPulseAndAreAllAccountedFor) {
     if (!decision.match) continue;
     const std::size_t pulse = decision.match->pulse.count - 1;
     wrong += scan.truth[decision.frame] != static_cast<std::int64_t>(pulse);
-    // Poses say by their x when they were measured.
+    // The x of a pose says when it was measured.
     const double milliseconds = decision.match->pose.translation().x() * 1000;
     wrong += std::abs(static_cast<double>(at(milliseconds) - scan.pulses[pulse].time)) > 1000;
     EXPECT_EQ(fate[pulse], 0);
@@ -122,7 +122,7 @@ TEST_P(RandomFaults, NeverGiveAFrameTheLaserOfAnotherPulse) {
   EXPECT_EQ(lit, outcome.audit.frames_bound);
   EXPECT_EQ(count_right(faulty.scan, outcome), lit);
   expect_all_accounted(faulty.scan, outcome);
-  // After each of the 50 starts of the camera the latency is proved anew, by missed deadlines.
+  // After each of the camera's 50 starts the latency is proved again, by missed deadlines.
   EXPECT_GT(lit, kFrames / 4);
   EXPECT_GT(outcome.dropped(DropReason::kLaserUncertain), 0U);
   EXPECT_EQ(outcome.audit.frames_laser_uncertain, outcome.dropped(DropReason::kLaserUncertain));

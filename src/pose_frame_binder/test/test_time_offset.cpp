@@ -1,6 +1,5 @@
-// Copyright 2026 the scan cell developers
-// SPDX-License-Identifier: BSD-3-Clause
-// A height field under a vertical plane of light, in closed form, with poses that are stamped late.
+// Copyright 2026 the scan cell developers SPDX-License-Identifier: BSD-3-Clause A height field
+// under a vertical plane of light, in closed form, with poses stamped late.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -25,8 +24,8 @@ struct Truth {
   double line_rate = 100;         // [Hz]
   double pose_rate = 250;         // [Hz]
   double point_spacing = 0.0014;  // [m] along the line
-  bool ramps = true;              // lines while the robot gets up to its speed and stops, too
-  Eigen::Vector3d shift = Eigen::Vector3d::Zero();          // of the scan back, which is no time
+  bool ramps = true;              // also lines while the robot accelerates and stops
+  Eigen::Vector3d shift = Eigen::Vector3d::Zero();  // of the scan back, which is not a delay
   Eigen::Isometry3d scene = Eigen::Isometry3d::Identity();  // pose of the scene in the world
 };
 
@@ -65,13 +64,13 @@ UnboundScan scan(const Height& height, double direction, const Truth& truth, uns
     result.poses.push_back(pose);
   }
   for (double t = 0.0017; t < most; t += 1 / truth.line_rate) {
-    constexpr double kAway = kRamp + 0.1;  // whatever the delay, too
+    constexpr double kAway = kRamp + 0.1;  // for any delay
     if (!truth.ramps && (t < kAway || t > most - kAway)) continue;
     UnboundScan::Line line;
     line.time = from_seconds(100 + t);
     const double x = (truth.scene.inverse() * flange(t)).translation().x();
     for (double y = -0.05; y <= 0.05; y += truth.point_spacing) {
-      // Seen by the flange: y and z look the other way.
+      // Seen from the flange: y and z point the other way.
       line.points.emplace_back(0, -y, kAbove - height(x, y) + truth.point_noise * noise(random));
     }
     result.lines.push_back(line);
@@ -166,13 +165,13 @@ TEST(TimeOffset, IsRefusedWithoutReliefAlongTheMotion) {
 }
 
 TEST(TimeOffset, IsRefusedWhereAOneSidedSlopeCouldBeAShift) {
-  // A ramp that lies 0.3 mm lower looks the same as one that comes later.
+  // A ramp 0.3 mm lower looks the same as one that comes later.
   const Height ramp = [](double x, double) { return 0.5 * x; };
   Truth truth;
   truth.ramps = false;
   const std::string text = refusal(ramp, truth);
   EXPECT_NE(text.find("time offset: uncertain"), std::string::npos) << text;
-  // Where the robot stands or is slow, only the shift is left to be seen: that parts them.
+  // While the robot stands or is slow, only the shift is visible, which separates the two.
   const TimeOffset found = estimate(ramp, {});
   EXPECT_NEAR(found.pose_delay, truth.delay, 3 * found.uncertainty);
 }

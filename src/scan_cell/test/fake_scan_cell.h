@@ -17,17 +17,17 @@ namespace scan_sequence_test {
 using scan_cell::Motion;
 using scan_cell::Outcome;
 
-/// A cell without hardware: it writes down what it is told, and each look at the motion takes it
-/// on.
+/// A cell without hardware: it records what it is told, and each check of the motion advances the
+/// motion.
 struct FakeCell {
   std::vector<std::string> log;
-  int looks = 0;  // at the motion under way
+  int looks = 0;  // checks of the present motion
   int moves = 0;  // motions started
   bool armed = false;
-  std::string trouble_of;  // device that gets into trouble half way through the scan
-  std::string throws_at;   // call that finds its device gone
-  std::string refused_at;  // call that the device refuses
-  std::optional<std::size_t> unbound_pass;  // that the stages refuse
+  std::string trouble_of;                   // device that reports trouble half-way through the scan
+  std::string throws_at;                    // call whose device is gone
+  std::string refused_at;                   // call that the device refuses
+  std::optional<std::size_t> unbound_pass;  // pass that the stages refuse
 
   void note(const std::string& call) {
     log.push_back(call);
@@ -85,10 +85,10 @@ struct FakeRobot : scan_cell::Robot {
   std::vector<scan_cell::MoveTarget> targets;
   std::vector<scan_cell::PlannedMove> checked;
   bool checks = true;                     // its driver has the service
-  std::optional<std::size_t> impossible;  // motion of those that are checked
+  std::optional<std::size_t> impossible;  // index among the motions checked
   bool fails = false;
   bool stuck = false;
-  int unseen_from = 0, unseen_until = 0;  // in looks for it
+  int unseen_from = 0, unseen_until = 0;  // in checks for it
   mutable int looks_for_it = 0;
   std::optional<Motion::State> ends_at_once;
 };
@@ -144,7 +144,7 @@ struct FakeTrigger : scan_cell::Trigger {
   double most_to_alternate = 1;  // [s] exposure
   bool moving_when_armed = false;
   bool answers = true;
-  std::size_t silent_arming = 0;  // that sends no pulse, from 1; 0: each sends some
+  std::size_t silent_arming = 0;  // arming that sends no pulse, from 1; 0: each sends some
 };
 
 struct FakeStages : scan_cell::Stages {
@@ -177,7 +177,7 @@ struct FakeStages : scan_cell::Stages {
   FakeCell& cell;
   std::vector<std::size_t> passes;  // of the runs
   std::uint64_t missing_at_the_end = 0;
-  bool breaks = false;  // with an error that is none of the suite's
+  bool breaks = false;  // with an error that is not one of the suite's
   bool whole_cloud = false;
   std::uint64_t finished_pulses = 0;
 };

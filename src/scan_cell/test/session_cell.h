@@ -15,13 +15,13 @@
 using scan_cell::Motion;
 using scan_cell::Outcome;
 
-/// A cell whose devices write down what they are told, for the sequence of a session.
+/// A cell whose devices record what they are told, for the sequence of a session.
 namespace session_test {
 
-/// A cell without hardware that writes down what it is told. Poses are told apart by their x.
+/// A cell without hardware that records what it is told. Poses are distinguished by their x.
 struct FakeCell {
   std::vector<std::string> log;
-  int pose = 0;             // the one driven to last, from 1
+  int pose = 0;             // the latest target, from 1
   std::uint8_t lasers = 0;  // on
   bool armed = false;
   std::string throws_at;  // call that throws
@@ -69,7 +69,7 @@ struct FakeRobot : scan_cell::Robot {
   void stop() noexcept override { cell.log.emplace_back("stop robot"); }
   FakeCell& cell;
   Eigen::Isometry3d target = Eigen::Isometry3d::Identity();
-  std::map<int, Motion> ends;  // of the motion to a pose, where it does not get there
+  std::map<int, Motion> ends;  // of the motion to a pose, if it does not arrive
   std::string hindered;
   int trouble_from = -1;
   int restless_at = -1;
@@ -131,7 +131,7 @@ struct FakeTrigger : scan_cell::Trigger {
   void keep_alive() override { cell.note("keep alive"); }
   FakeCell& cell;
   std::vector<double> rates;
-  double least_rate = 0;  // [Hz] that it takes
+  double least_rate = 0;  // [Hz] that it accepts
   bool lost = false;
   bool answers = true;
 };
@@ -178,7 +178,7 @@ class SessionSequence : public testing::Test {
     return sequence.run(request_, [this] { return cancel_ ? "cancelled" : ""; });
   }
 
-  /// Lasers off, camera as it was, and no motion begun after the end.
+  /// Expects the lasers off, the camera as before, and no motion begun after the end.
   void expect_safe() const {
     EXPECT_FALSE(cell_.armed);
     EXPECT_EQ(cell_.count("arm 0") + cell_.count("arm 1") + cell_.count("arm 2"),

@@ -71,7 +71,7 @@ TEST_F(Adaptation, ReportSaysWhatBelongsTogether) {
   const auto report = nlohmann::json::parse(
       scan_cell::completed(R"({"verdict": "accepted", "files": {"output": null}})", record, {}));
   EXPECT_EQ(report["verdict"], "accepted");
-  // sha256sum of the file's bytes, which are its name
+  // sha256sum of the file's bytes, which are the file's name
   EXPECT_EQ(report["files"]["path"]["sha256"],
             "d4aad7fb6bea9a8549e25bc0e37cdb47bb5dadd2dcaad355983d73adb24ec696");
   EXPECT_EQ(report["files"]["path"]["units"], "mm");

@@ -25,7 +25,7 @@ class BagReplay : public testing::Test {
   void SetUp() override { bag_.open(path_, rosbag::bagmode::Write); }
   void TearDown() override { fs::remove(path_); }
 
-  /// A second of a cell with three pulses in it, ended by this state.
+  /// Records a second of a cell with three pulses, ended by this state.
   void record(const std::string& scan_id, std::uint8_t end) {
     write_state(scan_id, CellState::SCANNING);
     for (int i = 0; i < 3; ++i) {
@@ -46,7 +46,7 @@ class BagReplay : public testing::Test {
     return replay.scan();
   }
 
-  /// Makes the string's length, where it stands in a message, one that no bag holds.
+  /// Changes a string's length in a message to one that no bag holds.
   void lengthen(const std::string& text) {
     bag_.close();
     std::fstream file(path_, std::ios::in | std::ios::out | std::ios::binary);

@@ -1,7 +1,7 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-/// Passes with settings of the camera of their own.
+/// Passes with their own camera settings.
 #include "fake_scan_cell.h"
 
 using scan_cell::CameraRegion;

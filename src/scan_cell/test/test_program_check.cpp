@@ -1,7 +1,7 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-/// A program is checked whole before anything moves.
+/// A whole program is checked before anything moves.
 #include "fake_scan_cell.h"
 #include "sequence/program_check.h"
 
@@ -54,7 +54,7 @@ TEST_F(ProgramCheck, AsksForJustTheMotionsThatAreMadeLater) {
   }
   const std::vector<std::pair<double, double>> speeds_and_rates = {
       {0.2, 0},    {0.1, 100}, {0.1, 100},  // to the start, there, and back
-      {0.05, 100},                          // the arc begins where that ends
+      {0.05, 100},                          // the arc begins where the line ends
       {0.2, 0},    {0.1, 100}, {0.1, 100}};
   ASSERT_EQ(robot_.checked.size(), speeds_and_rates.size());
   for (std::size_t i = 0; i < speeds_and_rates.size(); ++i) {

@@ -11,7 +11,7 @@ using scan_sequence_test::ScanSequence;
 
 namespace {
 
-/// Three passes: a line with each laser, an arc with both in turns, and a way of two lines.
+/// Three passes: a line with each laser, an arc with both in turn, and a way of two lines.
 class ScanInPasses : public ScanSequence {
  protected:
   ScanInPasses() {

@@ -57,7 +57,7 @@ class ScanProgram : public testing::Test {
     return scan_cell::load_scan_program(path_);
   }
 
-  /// What is named as wrong after the first `from` in the good program became `to`.
+  /// What is named as wrong after the first `from` in the good program is replaced by `to`.
   std::string refused(const std::string& from, const std::string& to,
                       std::string text = kGood) const {
     text.replace(text.find(from), from.size(), to);

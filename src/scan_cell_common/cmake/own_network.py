@@ -21,7 +21,7 @@ LIBC = ctypes.CDLL(None, use_errno=True)
 
 
 def leave_network():
-    """Whether this process has a network of its own now; an ordinary user needs a user namespace for it."""
+    """Whether this process now has its own network; an ordinary user needs a user namespace for that."""
     if LIBC.unshare(CLONE_NEWNET) == 0:
         return True
     user, group = os.getuid(), os.getgid()
@@ -41,7 +41,7 @@ def start_loopback():
 
 
 def wait_for_the_others():
-    """The lock is inherited, and ends with the command's last process."""
+    """Takes a lock that is inherited, and ends with the command's last process."""
     path = os.path.join(tempfile.gettempdir(), f"scan_cell_tests_{os.getuid()}.lock")
     lock = os.open(path, os.O_RDWR | os.O_CREAT | os.O_CLOEXEC, 0o600)
     os.set_inheritable(lock, True)
@@ -53,7 +53,7 @@ def main():
         sys.exit(__doc__)
     if leave_network():
         start_loopback()
-        os.environ["ROS_HOSTNAME"] = "localhost"  # the machine's name may stand for an address that is gone
+        os.environ["ROS_HOSTNAME"] = "localhost"  # the machine's name may resolve to an address that is gone
     else:
         wait_for_the_others()
     os.execvp(sys.argv[1], sys.argv[1:])

@@ -9,21 +9,22 @@
 
 namespace c4g_driver {
 
-/// How long something took, each time: counted in classes of an eighth of an octave (9 %), from 1
-/// us to 16 s. Allocates nothing.
+/// Histogram of durations, in classes of an eighth of an octave (9 %), from 1 us to 16 s. Allocates
+/// nothing.
 class Durations {
  public:
   using Nanoseconds = scan_cell_common::Nanoseconds;  //!< of the steady clock
 
   void add(Nanoseconds duration);  //!< allocates nothing
 
-  std::uint64_t count() const { return count_; }  //!< of durations added
+  std::uint64_t count() const { return count_; }  //!< number of durations added
 
-  /// What this share of them took at most: the upper end of a class; 0 of none.
+  /// The duration that this share of them did not exceed: the upper end of a class; 0 if there are
+  /// none.
   /// @param share from 0 to 1
   Nanoseconds quantile(double share) const;
 
-  /// Those that came after `earlier`, a copy of this one.
+  /// The durations added since `earlier`, an older copy of this object.
   Durations since(const Durations& earlier) const;
 
  private:

@@ -17,11 +17,11 @@ struct ArrivalTolerance {
   double angle = 5e-3;     //!< [rad] of the flange, or of each joint
 };
 
-/// The motion that was asked for last, and how it ended. A goal that ended stays so: nothing that
-/// comes later brings it back.
+/// The motion requested last, and how it ended. A goal that has ended stays ended, whatever comes
+/// later.
 class Goal {
  public:
-  /// How a motion ended, or that it has not.
+  /// How a motion ended, or that it has not ended.
   enum class Outcome { kNone, kUnderway, kReached, kStopped, kLinkLost, kFailed };
   /// A pose of the flange in base_link [m], or six joints [rad].
   using Target = std::variant<Eigen::Isometry3d, Joints>;
@@ -30,18 +30,18 @@ class Goal {
   /// @param motion its number on the controller
   Goal(std::uint64_t motion, const Target& target, const ArrivalTolerance& tolerance);
 
-  /// Takes what the controller says; states of other motions change nothing.
+  /// Takes a state from the controller; states of other motions change nothing.
   void update(const RobotState& state);
 
-  /// Ends it, if it is under way.
+  /// Ends the goal if it is in progress.
   void end(Outcome outcome, const std::string& message);
 
-  Outcome outcome() const { return outcome_; }                      //!< of this moment
-  bool underway() const { return outcome_ == Outcome::kUnderway; }  //!< whether it has not ended
+  Outcome outcome() const { return outcome_; }                      //!< at this moment
+  bool underway() const { return outcome_ == Outcome::kUnderway; }  //!< whether it is in progress
   double progress() const { return progress_; }                     //!< 0 .. 1
-  /// Of a path of the tool, the last one that was passed or reached, counted from 0.
+  /// Of a tool path, the waypoint passed or reached last, counted from 0.
   std::uint64_t waypoint() const { return waypoint_; }
-  const std::string& message() const { return message_; }  //!< why it ended so
+  const std::string& message() const { return message_; }  //!< why it ended
 
  private:
   std::string missed_by(const RobotState& state) const;

@@ -7,7 +7,7 @@
 
 namespace c4g_driver {
 
-/// One way in which a person moves the robot by a button.
+/// One direction in which a person moves the robot by a button.
 struct Jog {
   /// What moves.
   enum class Kind {
@@ -16,18 +16,18 @@ struct Jog {
     kFlange,  //!< the flange, along or about an axis of its own
   };
   Kind kind = Kind::kJoint;  //!< what moves
-  int axis = 0;              //!< 0 .. 5: the joint; or x, y, z, then the turns about them
+  int axis = 0;              //!< 0 .. 5: the joint; or x, y, z, then the rotations about them
   int direction = 1;         //!< 1 or -1
 
-  /// Whether it is the same way.
+  /// Whether both are the same direction.
   friend bool operator==(const Jog& a, const Jog& b) {
     return a.kind == b.kind && a.axis == b.axis && a.direction == b.direction;
   }
 };
 
-/// A motion that goes so far one way.
-/// @param share 0 .. 1 of half a metre, or of a quarter turn
-/// @throw scan_cell_common::Refused if the axis or the direction is none
+/// A motion that covers this share of the longest way in one direction.
+/// @param share 0 .. 1 of half a metre or of a quarter turn
+/// @throw scan_cell_common::Refused if the axis or the direction is invalid
 Motion jog_motion(const RobotState& from, const Jog& jog, double share);
 
 }  // namespace c4g_driver

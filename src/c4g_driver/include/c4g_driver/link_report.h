@@ -10,18 +10,18 @@
 
 namespace c4g_driver {
 
-/// What the numbers of a stream tell about the wire.
+/// What the sequence numbers of a stream tell about the network.
 struct SequenceCounts {
   std::uint64_t received = 0;   //!< datagrams
-  std::uint64_t lost = 0;       //!< numbers that never came
-  std::uint64_t repeated = 0;   //!< numbers that came again
-  std::uint64_t reordered = 0;  //!< came after a later one
+  std::uint64_t lost = 0;       //!< numbers that never arrived
+  std::uint64_t repeated = 0;   //!< numbers that arrived again
+  std::uint64_t reordered = 0;  //!< numbers that arrived after a later one
 };
 
-/// Poses that were not handed on.
+/// Poses that were not delivered.
 struct DroppedPoses {
-  std::uint64_t overtaken = 0;  //!< measured no later than one that came before
-  std::uint64_t backward = 0;   //!< their instant was not after that of the one before
+  std::uint64_t overtaken = 0;  //!< measured no later than a pose that arrived before
+  std::uint64_t backward = 0;   //!< host time not after that of the pose before
 };
 
 /// Datagrams that the protocol does not allow.
@@ -30,20 +30,20 @@ struct Malformed {
   std::string last;         //!< what was wrong with the last one
 };
 
-/// How the link is.
+/// State of the link.
 struct LinkReport {
   bool up = false;                            //!< the controller answers
-  std::string message = "no answer yet";      //!< why it is down, or was the last time
+  std::string message = "no answer yet";      //!< why it is down, or why it was down last
   std::uint64_t losses = 0;                   //!< of the link, since the start
   std::uint64_t attempts = 0;                 //!< to connect, since the start or the last loss
   SequenceCounts stream;                      //!< of the streamed positions
-  DroppedPoses dropped;                       //!< positions that were not handed on
+  DroppedPoses dropped;                       //!< positions that were not delivered
   scan_cell_common::ClockMap::Figures clock;  //!< how the controller's clock maps to the host's
-  Durations late;        //!< what the stream's datagrams were delayed by beyond the wire's least
-  Durations round_trip;  //!< of requests that were answered at the first try
-  Durations hand_on;     //!< from the kernel's stamp of a datagram until its pose was handed on
-  Malformed malformed;   //!< from the controller
-  std::uint64_t foreign = 0;   //!< datagrams from somebody else
+  Durations late;             //!< delay of the stream's datagrams beyond the network's least delay
+  Durations round_trip;       //!< of requests answered at the first try
+  Durations hand_on;          //!< from the kernel's stamp of a datagram to the delivery of its pose
+  Malformed malformed;        //!< datagrams from the controller
+  std::uint64_t foreign = 0;  //!< datagrams from other senders
   std::uint64_t overlong = 0;  //!< datagrams that were too long
 };
 

@@ -10,24 +10,25 @@
 
 namespace c4g_driver {
 
-/// A motion among several that will be carried out one after the other.
+/// One of several motions to be carried out one after the other.
 struct PlannedMotion {
-  Motion motion;                       //!< as it will be asked for
-  std::optional<double> linear_speed;  //!< [m/s] at which it will be run; none: as the settings say
+  Motion motion;                       //!< as it will be requested
+  std::optional<double> linear_speed;  //!< [m/s] of this motion; none: that of the settings
 };
 
-/// How far the robot could get in a plan.
+/// How far the robot can get in a plan.
 struct PlanCheck {
-  std::vector<Joints> ends;          //!< [rad] of the first motions, all of which are possible
-  std::string refusal;               //!< why the one after those is not; empty: all are possible
-  std::optional<MotionPlace> place;  //!< on its way, where it fails at one place
+  std::vector<Joints> ends;  //!< [rad] end of each motion before the first impossible one
+  std::string refusal;       //!< why the next motion is not possible; empty: all are possible
+  std::optional<MotionPlace> place;  //!< where that motion fails, if at one place
 };
 
-/// Checks motions one after the other, each from where the one before ends, as the client checks
-/// the one that it is about to send. The settings stay, but for the linear speed.
+/// Checks motions one after the other, each from the end of the one before, as the client checks a
+/// motion before sending it. All settings but the linear speed stay the same.
 /// @param limits narrowed() to the robot
-/// @param from the robot at rest, before the first
-/// @throw scan_cell_common::Refused if the model does not put the flange where it was measured
+/// @param from the robot at rest, before the first motion
+/// @throw scan_cell_common::Refused if the model does not put the flange where the controller
+/// measured it
 PlanCheck check_plan(const RobotModel& robot, const RobotLimits& limits, const RobotState& from,
                      const MotionSettings& settings, const std::vector<PlannedMotion>& plan);
 

@@ -50,7 +50,7 @@ int measure(const std::string& program, double seconds) {
   return 0;
 }
 
-/// Without and with every processor busy, each in its own process.
+/// Measures with idle and with busy processors, each in its own process.
 int measure_all(const std::string& program, double seconds) {
   const std::string port = fmt::format("{}", scan_cell_common::free_port());
   setenv("ROS_MASTER_URI", ("http://127.0.0.1:" + port).c_str(), 1);

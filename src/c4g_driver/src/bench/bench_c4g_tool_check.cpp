@@ -1,9 +1,8 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The check of a whole path of the tool, compared with KDL's own numeric solver
-// (ChainIkSolverPos_LMA) that only finds the joints at the same waypoints, each from those at the
-// one before.
+// The check of a whole tool path, compared with KDL's own numeric solver (ChainIkSolverPos_LMA),
+// which only finds the joints at the same waypoints, each from those at the one before.
 #include <CLI/CLI.hpp>
 #include <chrono>
 #include <cstdio>
@@ -32,8 +31,8 @@ RobotState standing() {
   return state;
 }
 
-/// Lines across a waved part, the tool tilted as its surface.
-/// @param farther [m] from the robot than where it can follow
+/// Lines across a waved part, with the tool tilted like its surface.
+/// @param farther [m] distance beyond the place where the robot can follow
 ToolMotion path_of(int count, double farther) {
   ToolMotion motion;
   motion.flange_to_tip = Isometry3d(Translation3d(0.03, 0, 0.2));
@@ -108,7 +107,7 @@ class Bench {
     std::printf("  %-44s %7.3f s\n", "KDL's solver, joints at the waypoints alone", yardstick_);
   }
 
-  /// As far away as the robot cannot follow.
+  /// Moves the path so far away that the robot cannot follow it.
   void move_away() { motion_ = path_of(static_cast<int>(motion_.waypoints.size()), 0.6); }
 
   void run(const char* what, bool free_about_z, const CollisionScene* scene) const {

@@ -1,7 +1,7 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-/// Position stream and commands over a bad wire, compared with what the controller really did.
+/// Position stream and commands over a bad network, compared with what the controller really did.
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <map>
@@ -64,7 +64,7 @@ bool commands(const std::shared_ptr<const RobotModel>& robot, int number) {
   return trial.done > 0 && trial.done_twice + trial.lost + trial.done_in_secret == 0;
 }
 
-/// Each of them is told once.
+/// Prints each reason once.
 void tell_reasons(const std::vector<std::string>& reasons) {
   std::map<std::string, int> counts;
   for (const std::string& reason : reasons)
@@ -96,7 +96,7 @@ bool paths(const std::shared_ptr<const RobotModel>& robot, int number) {
 int main(int argc, char** argv) {
   double seconds = 120;
   int number = 10000;
-  int number_of_paths = 100;  // two seconds each, most of them motion
+  int number_of_paths = 100;  // two seconds each, mostly motion
   CLI::App app("The driver's client against the emulated controller over a bad wire");
   app.add_option("--seconds", seconds, "of the position stream")->capture_default_str();
   app.add_option("--commands", number, "")->check(CLI::Range(1, 10000))->capture_default_str();

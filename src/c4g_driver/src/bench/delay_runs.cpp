@@ -67,7 +67,7 @@ DriverParameters parameters(const std::string& port, int priority) {
 template <class Message>
 void ignore(const boost::shared_ptr<const Message>&) {}
 
-/// Along y, slowly enough for the motion to outlast the measurement.
+/// Moves along y, slowly enough for the motion to outlast the measurement.
 void start_motion() {
   constexpr double kWay = 0.35, kSpeed = 0.02;  // [m], [m/s] chosen
   scan_cell_msgs::SetLinearSpeed speed;

@@ -14,27 +14,27 @@ struct BareRun {
   double allocations = 0;  //!< per pose
 };
 
-/// Runs in this process, with another one that listens to /tf and joint_states.
+/// Runs in this process, while another one listens to /tf and joint_states.
 class DelayRuns {
  public:
   /// @param program of the bench
   explicit DelayRuns(const std::string& program);
 
-  /// A loop that receives datagrams as long as a state's and publishes the same messages each time.
+  /// A loop that receives datagrams of the same length as a state and publishes the same messages.
   BareRun bare(double seconds) const;
 
-  /// The driver's node with the emulated controller in its own process, in a slow motion.
-  /// @return time from the kernel's stamp of a datagram until its pose was published
-  /// @param priority real-time priority of its receiving thread; 0: normal scheduling
-  /// @throw scan_cell_common::Refused if it does not move
-  /// @throw scan_cell_common::InvalidParameter if the priority is not allowed here
+  /// The driver's node during a slow motion, with the emulated controller in its own process.
+  /// @return times from the kernel's stamp of a datagram to the publication of its pose
+  /// @param priority real-time priority of the receiving thread; 0: normal scheduling
+  /// @throw scan_cell_common::Refused if the robot does not move
+  /// @throw scan_cell_common::InvalidParameter if the priority is not permitted here
   Durations driver(double seconds, int priority) const;
 
  private:
   std::string program_;
 };
 
-/// Sends 500 datagrams a second to the first peer that sends one, until this process is ended.
+/// Sends 500 datagrams a second to the first peer that sends one, until this process ends.
 int send_to_whoever_asks(std::uint16_t port);
 
 /// Listens to what the driver publishes.

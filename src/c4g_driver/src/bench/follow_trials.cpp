@@ -20,10 +20,10 @@ using scan_cell_sim::Controller;
 
 constexpr double kZone = 0.001;         // [m]
 constexpr double kSpeed = 0.5;          // [m/s] chosen
-constexpr Nanoseconds kLook = 200'000;  // from look to look at the truth
-constexpr double kFarthest = 0.002;     // [m] the zone, and the way between two looks
+constexpr Nanoseconds kLook = 200'000;  // [ns] between two looks at the truth
+constexpr double kFarthest = 0.002;     // [m] the zone plus the way between two looks
 
-/// A walk at random within 0.1 m, on each line of which other outputs are on.
+/// A random walk within 0.1 m, with different outputs on along each line.
 class Walk {
  public:
   ToolMotion from(const Eigen::Isometry3d& flange) {
@@ -50,7 +50,7 @@ class Walk {
   std::uniform_real_distribution<double> part_{-1, 1};
 };
 
-/// What the controller really did of a path between two instants.
+/// What the controller really did with a path between two instants.
 class Truth {
  public:
   Truth(const Controller& controller, const ToolMotion& motion, Nanoseconds begin,
@@ -60,7 +60,7 @@ class Truth {
       const Nanoseconds instant = std::min(look, end);
       const std::uint32_t now = controller.outputs_at(instant);
       if (now == outputs) continue;
-      // Off at the end, else those of the next waypoint, and there.
+      // Outputs go off at the end; else they become those of the next waypoint, at its place.
       const bool is_end = now == 0 && passed_ > 0;
       const bool is_next = now == passed_ + 1 && now <= motion.waypoints.size();
       in_order_ = in_order_ && !ended_ && (is_end || is_next);
@@ -85,7 +85,7 @@ class Truth {
                        in_order_ ? "in order" : "not in order", ended_ ? "off again" : "still on");
   }
 
-  /// Whether it was at all but the last waypoint, whose outputs go off at once.
+  /// Whether it passed all waypoints but the last one, whose outputs go off at once.
   bool is_whole(const ToolMotion& motion) const {
     return ended_ && passed_ + 1 >= motion.waypoints.size();
   }
@@ -117,7 +117,7 @@ class Trials {
     } catch (const scan_cell_common::Error& error) {
       reason = error.what();
     }
-    wait_for_link(client_);  // a begin that is on its way has come by then, too
+    wait_for_link(client_);  // a begin that was in transit has arrived by then, too
     const auto begun = controller_.motions_begun() - begun_before;
     const Truth truth(controller_, motion, begin, scan_cell_common::host_now());
     judge(truth, motion, begun, {reached, refused});

@@ -7,7 +7,7 @@
 #include "c4g_driver/client.h"
 #include "scan_cell_sim/controller/controller.h"
 
-/// What trials of the client against the emulated controller begin with.
+/// Setup of trials of the client against the emulated controller.
 namespace c4g_driver {
 
 constexpr double kPatience = 30;  // [s] chosen
@@ -16,10 +16,11 @@ constexpr double kPatience = 30;  // [s] chosen
 ClientOptions options_for(const scan_cell_sim::Controller& controller,
                           const std::shared_ptr<const RobotModel>& robot);
 
-/// @throw scan_cell_common::ConnectionError if it does not come up
+/// @throw scan_cell_common::ConnectionError if the link does not come up
 void wait_for_link(const Client& client);
 
-/// A pose of the flange that the robot reaches, and so all within 0.3 m of it. @param y [m]
+/// A pose of the flange that the robot reaches, as it does all poses within 0.3 m of it. @param y
+/// [m]
 Eigen::Isometry3d looking_down(double y);
 
 }  // namespace c4g_driver

@@ -34,7 +34,7 @@ class StreamJudge {
   explicit StreamJudge(const Controller& controller) : controller_(controller) {}
 
   void operator()(const MeasuredState& state) {
-    // The wire's rounding, and a microsecond of motion.
+    // Rounding on the wire plus a microsecond of motion.
     constexpr double kPosition = 3e-6, kAngle = 2e-5;  // [m], [rad]
     const Nanoseconds instant = controller_.host_time(state.robot.controller_time / 1000);
     const Eigen::Isometry3d truth = controller_.flange_at(instant);
@@ -92,7 +92,7 @@ class Commands {
     }
   }
 
-  /// The number of a command in a datagram; none in datagrams that the client sends on its own.
+  /// The command number in a datagram; none if the client sent the datagram by itself.
   static std::optional<int> number_in(const std::string& datagram) {
     const auto request = nlohmann::json::parse(datagram);
     const std::string command = request["cmd"];
@@ -103,11 +103,11 @@ class Commands {
   }
 
  private:
-  /// There along a line, and back along half a circle.
+  /// Moves there along a line and back along half a circle.
   void move(int number) {
     Eigen::Isometry3d via = looking_down(0.005);
     via.translation().x() += 0.005;
-    right_ = !right_;  // first: what is refused is not asked again
+    right_ = !right_;  // first: refused commands are not repeated
     if (right_) {
       client_.move_to_pose(looking_down(0.01), number);
     } else {
@@ -185,7 +185,7 @@ StreamTrial run_stream_trial(const std::shared_ptr<const RobotModel>& robot, dou
 CommandTrial run_command_trial(const std::shared_ptr<const RobotModel>& robot, int commands,
                                const scan_cell_sim::ControllerFaults& faults) {
   std::mutex mutex;
-  std::map<int, int> done;  // how often, by the command's number
+  std::map<int, int> done;  // count by command number
   scan_cell_sim::ControllerOptions options;
   options.port = 0;
   options.faults = faults;

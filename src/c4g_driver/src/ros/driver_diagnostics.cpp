@@ -21,7 +21,7 @@ bool got_worse(const LinkReport& before, const LinkReport& link) {
          link.overlong > before.overlong;
 }
 
-/// NaN where nothing was timed.
+/// Adds NaN if nothing was timed.
 void add(DiagnosticStatusWrapper& status, const std::string& what, const Durations& durations) {
   const auto milliseconds = [&](double share) {
     return durations.count() > 0 ? 1e-6 * static_cast<double>(durations.quantile(share))

@@ -11,7 +11,7 @@
 
 namespace c4g_driver {
 
-/// What /diagnostics says of the link: totals, and what came since it was asked last.
+/// The /diagnostics of the link: totals, and what has come since the last report.
 class LinkDiagnosis {
  public:
   void report(const LinkReport& link, diagnostic_updater::DiagnosticStatusWrapper& status);
@@ -21,7 +21,7 @@ class LinkDiagnosis {
   std::chrono::steady_clock::time_point asked_ = std::chrono::steady_clock::now();
 };
 
-/// What it says of the robot.
+/// The /diagnostics of the robot.
 /// @param state the latest; none without a link
 void report(const std::optional<MeasuredState>& state,
             diagnostic_updater::DiagnosticStatusWrapper& status);

@@ -19,13 +19,13 @@ using scan_cell_msgs::MoveResult;
 
 namespace {
 
-/// For the answers that tell a lost link from a refusal.
+/// For answers that distinguish a lost link from a refusal.
 template <class Response>
 auto say_link_lost(Response& response, int) -> decltype(response.link_lost, void()) {
   response.link_lost = true;
 }
 template <class Response>
-void say_link_lost(Response&, long) {}  // NOLINT: the other one is preferred to it
+void say_link_lost(Response&, long) {}  // NOLINT: the other overload is preferred
 
 }  // namespace
 
@@ -83,7 +83,7 @@ void DriverNode::publish_status() {
   LinkReport link = client_.link();
   const bool lost = link.losses > losses_;
   losses_ = link.losses;
-  if (lost) {  // said once, however soon the next session began
+  if (lost) {  // reported once, however soon the next session began
     link.up = false;
     ROS_WARN("controller %s: the link was lost: %s", parameters_.client.address.c_str(),
              link.message.c_str());
@@ -96,7 +96,7 @@ void DriverNode::publish_status() {
                       link.message.c_str(), parameters_.client.reconnect_period);
   }
   was_up_ = link.up;
-  diagnostics_.update();  // once a second, however often it is called
+  diagnostics_.update();  // publishes once a second, however often it is called
 }
 
 void DriverNode::move(const scan_cell_msgs::MoveGoalConstPtr& goal) {
@@ -141,7 +141,7 @@ Goal DriverNode::follow(const std::string& watcher) {
       ROS_INFO("the robot was told to stop: %s", reason.c_str());
       stopping = true;
     } catch (const Error& error) {
-      ROS_ERROR_THROTTLE(1, "%s", error.what());  // a lost link ends the goal, else again
+      ROS_ERROR_THROTTLE(1, "%s", error.what());  // a lost link ends the goal; else tried again
     }
   }
 }

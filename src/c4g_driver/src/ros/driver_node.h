@@ -29,7 +29,7 @@
 
 namespace c4g_driver {
 
-/// The robot in ROS: where it is, how it is, and the action that moves it.
+/// The robot in ROS: its position, its state, and the action that moves it.
 class DriverNode {
  public:
   DriverNode(ros::NodeHandle node, ros::NodeHandle private_node,
@@ -77,14 +77,14 @@ class DriverNode {
   scan_cell_common::Listeners listeners_;  // to the status
   ros::Publisher status_;
   bool was_up_ = false;
-  std::uint64_t losses_ = 0;  // of the link that were told
+  std::uint64_t losses_ = 0;  // of the link that were reported
   LinkDiagnosis diagnosis_;
 
-  // Filled and published for each pose by the client's thread: nothing is made anew.
+  // Filled and published for each pose by the client's thread, without allocation.
   tf2_msgs::TFMessage transform_;
   sensor_msgs::JointState joints_;
 
-  // The later ones use the earlier ones from their own threads.
+  // Later members use earlier ones from their own threads.
   Client client_;
   MoveServer server_;
   PathFollower path_follower_;
@@ -92,7 +92,7 @@ class DriverNode {
   diagnostic_updater::Updater diagnostics_;
   ros::Timer status_timer_;
 
-  // Calls wait for the controller; a cancel, or a client that is gone, must not wait for a call.
+  // Service calls wait for the controller; a cancel or a lost client must not wait for a call.
   ros::CallbackQueue service_queue_;
   std::vector<ros::ServiceServer> services_;
   ros::AsyncSpinner service_spinner_{1, &service_queue_};

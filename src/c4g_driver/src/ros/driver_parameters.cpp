@@ -15,7 +15,7 @@ namespace {
 using scan_cell_common::InvalidParameter;
 using scan_cell_common::ParameterTable;
 
-/// The URDF of the cell's robot_description, or the robot that the suite is made for.
+/// The cell's robot_description, or the URDF of the robot that the suite is made for.
 std::string robot_description(const ros::NodeHandle& node) {
   std::string name, urdf;
   if (!node.searchParam("robot_description", name)) {

@@ -16,7 +16,7 @@ using Message = scan_cell_msgs::Jog;
 
 namespace {
 
-constexpr double kLook = 0.02;  // [s] between two looks at what is wanted; chosen
+constexpr double kLook = 0.02;  // [s] between two checks of the wish; chosen
 
 Jog::Kind kind_of(const Message& message) {
   switch (message.kind) {
@@ -77,14 +77,15 @@ void Jogger::hear(const Message& message) {
   heard_ = ros::SteadyTime::now();
 }
 
-/// What a person wants at this moment.
+/// The motion wanted at this moment; none after a silence.
 std::optional<Jogger::Wish> Jogger::wish() const {
   const std::lock_guard<std::mutex> lock(mutex_);
   if ((ros::SteadyTime::now() - heard_).toSec() > silence_) return std::nullopt;
   return wish_;
 }
 
-/// What came before a silence counts no more: a button may be held that nobody hears of.
+/// After a silence, earlier messages no longer count: the button may be held without a message
+/// arriving.
 bool Jogger::is_silent() const {
   const std::lock_guard<std::mutex> lock(mutex_);
   return (ros::SteadyTime::now() - heard_).toSec() > silence_;
@@ -96,7 +97,7 @@ bool Jogger::take_up() {
 }
 
 void Jogger::work() {
-  const bool up = take_up();  // before the wish: it may have come with it
+  const bool up = take_up();  // before the wish: a release must precede it
   const auto wanted = wish();
   if (is_silent()) let_go_first_ = true;
   if (under_way_ && !client_.goal().underway()) end(wanted.has_value());
@@ -112,7 +113,7 @@ void Jogger::work() {
   if (const std::string refusal = take_refusal(); !refusal.empty()) tell(false, refusal);
 }
 
-/// At the end of a piece of its way it goes on with the next one; stopped by others, it does not.
+/// At the end of one piece of the way the next one may begin; after a stop by others it may not.
 void Jogger::end(bool held) {
   const Goal goal = client_.goal();
   const bool as_wanted = goal.outcome() == Goal::Outcome::kReached ||
@@ -142,11 +143,11 @@ void Jogger::begin(const Wish& wish) {
   }
 }
 
-/// Never faster than the override that is set.
+/// Lowers the override, and never raises it.
 void Jogger::slow_down(double percent) {
   const auto state = client_.latest();
   if (!state || state->robot.override <= percent) return;
-  if (client_.goal().underway()) return;  // of somebody else: the motion will be refused
+  if (client_.goal().underway()) return;  // another client's goal: the motion will be refused
   client_.set_override(percent);
   override_before_ = state->robot.override;
 }
@@ -168,7 +169,7 @@ void Jogger::stop() {
     client_.stop();
     stopping_ = true;
   } catch (const Error& error) {
-    ROS_ERROR_THROTTLE(1, "%s", error.what());  // a lost link ends the motion, else again
+    ROS_ERROR_THROTTLE(1, "%s", error.what());  // a lost link ends the motion; else tried again
   }
 }
 

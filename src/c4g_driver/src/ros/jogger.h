@@ -14,14 +14,14 @@
 
 namespace c4g_driver {
 
-/// Held to run: the robot moves while ~jog comes, and stops where it ends or says so. It begins
-/// only behind a message that says that the button is up: so it does not when this node was
-/// started, or the network was gone, while somebody held the button, nor after it stopped for
-/// another reason. Works in its own thread: calls of others do not keep it from stopping.
+/// Hold to run: the robot moves while ~jog messages arrive, and stops when they cease or say so. A
+/// motion begins only after a message that the button is up. So none begins if the button was held
+/// while this node started or the network was down, or after a stop for another reason. Works in
+/// its own thread, so that other calls do not delay a stop.
 class Jogger {
  public:
   /// @param silence [s] without a message after which the robot stops
-  /// @param max_override [%] that a message may ask for
+  /// @param max_override [%] highest that a message may ask for
   Jogger(ros::NodeHandle node, Client& client, double silence, double max_override);
   ~Jogger();
 
@@ -54,13 +54,13 @@ class Jogger {
 
   mutable std::mutex mutex_;
   std::optional<Wish> wish_;
-  std::string refusal_;  // of the message that came last
-  bool was_up_ = false;  // the button, since that was looked at last
+  std::string refusal_;  // of the latest message
+  bool was_up_ = false;  // the button, since the last check
   ros::SteadyTime heard_;
 
-  std::optional<Jog> under_way_;           // that this object began
-  bool stopping_ = false;                  // because the person wants it
-  bool let_go_first_ = true;               // before it may begin
+  std::optional<Jog> under_way_;           // begun by this object
+  bool stopping_ = false;                  // at the person's wish
+  bool let_go_first_ = true;               // the button must be released before a motion begins
   std::optional<double> override_before_;  // [%]
 
   ros::CallbackQueue heard_queue_, work_queue_;

@@ -18,9 +18,9 @@ using scan_cell_msgs::RobotStatus;
 
 namespace {
 
-/// A pose that a goal asks for.
+/// Converts a pose that a goal asks for.
 /// @param name of the pose
-/// @throw Refused for another frame, or a quaternion that is none
+/// @throw Refused for another frame or an invalid quaternion
 Eigen::Isometry3d to_target(const geometry_msgs::PoseStamped& pose, const std::string& base_frame,
                             const std::string& name) {
   if (pose.header.frame_id != base_frame) {

@@ -66,7 +66,7 @@ Goal PathFollower::watch(const FollowGoal& goal) {
       ROS_INFO("the robot was told to stop: %s", reason.c_str());
       stopping = true;
     } catch (const Error& error) {
-      ROS_ERROR_THROTTLE(1, "%s", error.what());  // a lost link ends the goal, else again
+      ROS_ERROR_THROTTLE(1, "%s", error.what());  // a lost link ends the goal; else tried again
     }
   }
 }

@@ -13,15 +13,15 @@
 
 namespace c4g_driver {
 
-/// The action ~follow: a whole path of the tool.
+/// The action ~follow: a whole tool path.
 class PathFollower {
  public:
-  /// @param status topic that watchers listen to
+  /// @param status topic to which watchers must subscribe
   /// @param feedback_rate [Hz]
   PathFollower(ros::NodeHandle node, Client& client, const scan_cell_common::Listeners& listeners,
                const std::string& status, const std::string& base_frame, double feedback_rate);
 
-  /// Goals are taken from here on.
+  /// Accepts goals from here on.
   void start() { server_.start(); }
 
  private:
@@ -41,7 +41,7 @@ class PathFollower {
   const std::string base_frame_;
   const double feedback_rate_;
   Eigen::Isometry3d flange_to_tip_ = Eigen::Isometry3d::Identity();  // of the goal
-  Server server_;  // last: its callbacks use all the rest
+  Server server_;  // last, since its callbacks use all other members
 };
 
 }  // namespace c4g_driver

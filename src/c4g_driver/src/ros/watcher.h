@@ -11,8 +11,8 @@
 
 namespace c4g_driver {
 
-/// @param watcher node that a goal names; empty: none
-/// @param status topic that it has to listen to
+/// @param watcher node named by a goal; empty: none
+/// @param status topic to which it must subscribe
 /// @throw scan_cell_common::Refused if it does not
 inline void require_watcher(const std::string& watcher,
                             const scan_cell_common::Listeners& listeners,
@@ -23,7 +23,7 @@ inline void require_watcher(const std::string& watcher,
                                   "subscribe to " + status + " first, or give none");
 }
 
-/// Why a goal under way must stop; empty: it need not.
+/// Why a goal in progress must stop; empty: it need not.
 inline std::string why_to_stop(bool preempted, const std::string& watcher,
                                const scan_cell_common::Listeners& listeners) {
   if (ros::isShuttingDown() || !ros::ok()) return "the driver is shutting down";

@@ -33,7 +33,7 @@ struct Options {
   std::string operation = "manual";
 };
 
-/// What is typed after the commands.
+/// The arguments of the commands.
 struct Words {
   WireSix via{};
   WireSix target{};
@@ -174,7 +174,7 @@ ClientOptions client_options(const Options& options) {
 
 }  // namespace
 
-/// Exits 0 when it was done, 2 when robot, limits or a signal refused or ended it, 1 otherwise.
+/// Exits with 0 if done, 2 if robot, limits or a signal refused or ended it, 1 otherwise.
 int main(int argc, char** argv) {
   Options options;
   Words words;

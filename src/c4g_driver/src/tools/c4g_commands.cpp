@@ -23,15 +23,15 @@ using scan_cell_common::ConnectionError;
 using scan_cell_common::Refused;
 using Clock = std::chrono::steady_clock;
 
-constexpr double kGlance = 0.05;  // [s] between two looks for an interrupt; chosen
+constexpr double kGlance = 0.05;  // [s] between two checks for an interrupt; chosen
 
 Clock::time_point in(double seconds) {
   return Clock::now() +
          std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds));
 }
 
-/// Rounded as the controller measures, and no -0.
-/// @param lengths how many of them are lengths [mm]; the others are angles [deg]
+/// Prints six values, rounded to the controller's accuracy, without -0.
+/// @param lengths how many are lengths [mm]; the others are angles [deg]
 void print_six(const char* what, const WireSix& values, int lengths, const char* meaning) {
   std::printf("%-15s", what);
   for (int i = 0; i < 6; ++i) {
@@ -46,7 +46,8 @@ void print_pose(const char* what, const RobotState& robot) {
   print_six(what, to_wire(robot.flange), 3, "x y z [mm] A E R [deg]");
 }
 
-/// As the controller takes them, which turns no angle back into its range; c4g_protocol.md.
+/// Checks a pose as the controller does, which does not wrap angles into their range;
+/// c4g_protocol.md.
 Eigen::Isometry3d checked_pose(const WireSix& pose, const std::string& name) {
   constexpr std::array<double, 3> kLeast = {-180, 0, -180};
   for (std::size_t i = 0; i < kLeast.size(); ++i) {

@@ -7,9 +7,8 @@
 #include "c4g_driver/client.h"
 #include "wire/wire_units.h"
 
-/// What the tool `c4g` does with a client. Each prints what came of it in the units of the wire and
-/// the pendant, millimetres and degrees, and throws scan_cell_common::Error where it did not come
-/// to that.
+/// The commands of the tool `c4g`. Each prints its result in the units of the wire and the pendant,
+/// millimetres and degrees, and throws scan_cell_common::Error on failure.
 namespace c4g_driver {
 
 /// @param patience [s]
@@ -34,7 +33,7 @@ void move_to_joints(Client& client, const WireSix& joints, double camera_rate);
 void stop(Client& client);
 
 void show_parameter(Client& client, const std::string& name);
-/// @param value JSON, or a word: one that is not JSON stands for itself
+/// @param value JSON, or a word, which is taken as a string
 void write_parameter(Client& client, const std::string& name, const std::string& value);
 
 }  // namespace c4g_driver

@@ -31,7 +31,7 @@ inline bool eventually(const std::function<bool()>& condition, double seconds = 
   return condition();
 }
 
-/// All poses the client handed on.
+/// All poses that the client delivered.
 class Heard {
  public:
   void operator()(const MeasuredState& state) {
@@ -75,7 +75,7 @@ class ClientTest : public testing::Test {
     return times == microseconds;
   }
 
-  /// A stream that test writes by hand is ahead of the polls' time, so these are dropped.
+  /// A stream that a test writes by hand is ahead of the polls' time, so polls are dropped.
   static constexpr double kPatient = 20;
 
   void TearDown() override { hold_ = false; }

@@ -13,13 +13,13 @@
 #include <thread>
 #include <vector>
 
-/// A controller on a real socket that does what a test tells it, and behaves well otherwise: every
-/// request is acknowledged, a motion stays "moving" until the test says more, and is streamed as
-/// long as it does unless the test says otherwise.
+/// A controller on a real socket that does what a test tells it, and otherwise behaves well: it
+/// acknowledges every request, and a motion stays "moving" and is streamed until the test says
+/// otherwise.
 class FakeController {
  public:
   using Json = nlohmann::json;
-  /// What to send back to a request; none: the good answer.
+  /// What to answer to a request; none: the normal answer.
   using Script = std::function<std::optional<std::vector<Json>>(const Json& request)>;
 
   explicit FakeController(std::uint16_t port = 0);
@@ -36,12 +36,12 @@ class FakeController {
   /// Streams a state to the client.
   void stream(std::uint64_t number, std::int64_t microseconds, const Json& entries = {});
   void send(const std::string& text);
-  /// As a stranger, to somebody else's client.
+  /// Sends as a stranger to the client of another controller.
   void send_to_client_of(const FakeController& other, const std::string& text);
 
   Json acknowledge(const Json& request);
 
-  /// Requests so far; of one kind where `command` is given.
+  /// Requests so far; of one kind if `command` is given.
   std::vector<Json> requests(const std::string& command = "") const;
 
  private:

@@ -16,7 +16,7 @@
 #include "scan_cell_common/errors/errors.h"
 #include "scan_cell_sim/controller/controller.h"
 
-/// The client follows paths of the tool on the emulated controller, over real sockets.
+/// The client follows tool paths on the emulated controller, over real sockets.
 namespace c4g_driver {
 
 class FollowTogether : public testing::Test {
@@ -81,7 +81,8 @@ class FollowTogether : public testing::Test {
     return begun_;
   }
 
-  /// Of what was heard of the motions since: each waypoint once, in order, with its own outputs.
+  /// Expects each waypoint once, in order, with its own outputs, in what was received about the
+  /// motions since.
   /// @return the last waypoint
   std::uint64_t expect_in_order(const ToolMotion& motion) {
     std::uint64_t passed = 0, of = 0;

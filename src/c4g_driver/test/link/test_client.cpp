@@ -19,7 +19,7 @@ using scan_cell_common::Refused;
 
 namespace {
 
-/// What the controller says when the flange is there, looking down.
+/// What the controller reports when the flange is there, looking down.
 json standing_at(double x, double y, double z) {
   const auto flange = looking_down(x, y, z);
   const auto joints = step_to(smart5_six(), flange, degrees(0, 8, -124, 0, 48, 0));

@@ -32,7 +32,7 @@ TEST_F(ClientTest, EndsTheSessionOfALostLinkAtOnceHoweverRarelyItTriesToConnect)
   client_ = std::make_unique<Client>(rarely, [](const MeasuredState&) {});
   ASSERT_TRUE(eventually([this] { return client_->link().up; }));
   client_->move_to_pose(looking_down(0.8, 0.2, 0.6), 100);
-  usleep(1'100'000);  // until an attempt may follow that one
+  usleep(1'100'000);  // until another attempt may follow
   const json first = controller_->requests().back()["session"];
   controller_->stop_streaming();
   EXPECT_EQ(client_->wait_for_goal(10).outcome(), Goal::Outcome::kLinkLost);
@@ -87,7 +87,7 @@ TEST_F(ClientTest, NeverResumesAGoalWhenTheLinkIsBack) {
   EXPECT_TRUE(controller_->requests("MOVE_CARTESIAN").empty());
   EXPECT_GT(controller_->requests().back()["session"].get<std::uint64_t>(), session);
   EXPECT_EQ(client_->goal().outcome(), Goal::Outcome::kLinkLost);
-  controller_->set_state({{"status", "arrived"}, {"motion", 2}});  // even if it claims so
+  controller_->set_state({{"status", "arrived"}, {"motion", 2}});  // even if it claims arrival
   ASSERT_TRUE(eventually(
       [this] { return client_->latest()->robot.status == c4g_driver::MotionStatus::kArrived; }));
   EXPECT_EQ(client_->goal().outcome(), Goal::Outcome::kLinkLost);
@@ -102,7 +102,7 @@ TEST_F(ClientTest, TakesAMoveThatIsNeverAcknowledgedForALostLink) {
   const std::uint64_t session = controller_->requests().back()["session"].get<std::uint64_t>();
   EXPECT_THROW(client_->move_to_joints({0, 0, -1.5, 0, 1.5, 0}, 0), ConnectionError);
   EXPECT_EQ(client_->goal().outcome(), Goal::Outcome::kLinkLost);
-  // the new session makes the controller forget the motion, should it have begun
+  // the new session makes the controller drop the motion, if it has begun
   ASSERT_TRUE(eventually(
       [&] { return controller_->requests().back()["session"].get<std::uint64_t>() > session; }));
 }
@@ -157,7 +157,7 @@ TEST_F(ClientTest, TakesNoLateAnswerOfAnOldSessionForThatOfANewOne) {
     if (request["cmd"] != "OPEN") return std::nullopt;
     return std::vector<json>{};  // no new session is ever granted
   });
-  hold_ = true;  // an answer stays half handled, while its session is given up
+  hold_ = true;  // an answer stays half processed while its session is given up
   ASSERT_TRUE(eventually([&] { return held_ && sessions() == 2; }));
   hold_ = false;
   EXPECT_TRUE(eventually([&] { return sessions() >= 4; }));

@@ -61,7 +61,7 @@ class Together : public testing::Test {
 
   Eigen::Isometry3d truth() const { return controller_.state().flange; }
 
-  /// Connected, and standing as long as ten polls take.
+  /// Expects the client connected and the robot standing for the time of ten polls.
   void expect_rest() {
     ASSERT_TRUE(eventually([this] {
       const auto state = client_->latest();
@@ -114,7 +114,7 @@ class Together : public testing::Test {
   Controller controller_{any_port()};
   std::mutex mutex_;
   std::vector<double> errors_;
-  std::vector<Eigen::Vector3d> places_;  // of the flange, as heard
+  std::vector<Eigen::Vector3d> places_;  // of the flange, as received
   std::unique_ptr<Client> client_;
 };
 

@@ -1,7 +1,7 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-/// Whatever ends a followed path: the outputs are off, the robot stands, nothing goes on.
+/// Whatever ends a followed path, the outputs are off, the robot stands, and nothing goes on.
 #include "link/follow_test.h"
 
 namespace c4g_driver {
@@ -16,7 +16,7 @@ constexpr Nanoseconds kMillisecond = 1'000'000;
 
 class FollowEndings : public FollowTogether {
  protected:
-  /// A long way into a path.
+  /// Starts a path and waits until it is well under way.
   void start() {
     motion_ = zigzag(60, 0.1);
     client_->follow(motion_);
@@ -24,7 +24,8 @@ class FollowEndings : public FollowTogether {
     ASSERT_NE(controller_->outputs_at(host_now()), 0u);
   }
 
-  /// By the truth: off and standing within these times [ms] from an instant on, for good.
+  /// Expects, by the emulator's truth, outputs off and the robot standing within these times [ms]
+  /// after an instant, permanently.
   void expect_it_ends(Nanoseconds instant, int off, int standing) {
     ASSERT_TRUE(eventually([&] { return host_now() > instant + 1500 * kMillisecond; }));
     for (int after = off; after < 1500; after += 5)

@@ -1,7 +1,7 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-/// Paths of the tool: the client against the emulated controller, with its faults.
+/// Tool paths: the client against the emulated controller, with its faults.
 #include "link/follow_test.h"
 
 using scan_cell_common::Refused;

@@ -1,7 +1,7 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-/// What comes of a controller that does not keep to c4g_protocol.md.
+/// What happens with a controller that violates c4g_protocol.md.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -37,7 +37,7 @@ class LawlessController : public ClientTest {
     });
   }
 
-  /// What is said of a motion that must not be sent.
+  /// The refusal of a motion that must not be sent.
   std::string refusal_of_a_line() {
     try {
       client_->move_to_pose(looking_down(0.8, 0.2, 0.6), 0);
@@ -64,7 +64,7 @@ TEST_F(LawlessController, MovesNothingUnderASettingThatTheProtocolDoesNotKnow) {
       EXPECT_NE(said.find(value ? value->dump() : "no value"), std::string::npos) << said;
     }
   }
-  answer_parameter("interpolation", "joint");  // a word of the other one
+  answer_parameter("interpolation", "joint");  // a word of the other parameter
   EXPECT_NE(refusal_of_a_line().find("interpolation"), std::string::npos);
   answer_parameter("motion_type", "euler");
   EXPECT_NE(refusal_of_a_line().find("motion_type"), std::string::npos);

@@ -16,7 +16,7 @@ constexpr Nanoseconds kMillisecond = 1'000'000;
 constexpr Nanoseconds kBoot = 1'700'000'000'000 * kMillisecond;  // host time as the test begins
 constexpr Nanoseconds kDelay = kMillisecond / 10;                // of the wire
 
-/// A controller that is heard at instants of its own clock.
+/// A controller whose states arrive at times of its own clock.
 class PoseFeedTest : public testing::Test {
  protected:
   static PoseFeed::Clock::time_point steady(Nanoseconds time) {
@@ -113,12 +113,12 @@ TEST_F(PoseFeedTest, IsStaleWhenThePosesThatComeAreOld) {
   Nanoseconds waited = 0;
   while (waited < 3 * kSecond && !feed_.stale(steady(kSecond + waited))) {
     waited += kStreamPeriod;
-    robot.controller_time = kSecond + waited / 4;  // held up on the way, longer and longer
+    robot.controller_time = kSecond + waited / 4;  // delayed in transit, longer and longer
     const Nanoseconds now = kSecond + waited;
     EXPECT_EQ(feed_.take(robot, kBoot + now + kDelay, Source::kStream, steady(now)),
               PoseVerdict::kHandOn);
   }
-  // three quarters of the time waited reach the timeout, and then it runs
+  // three quarters of the waiting reach the timeout, then the timeout itself runs
   EXPECT_NEAR(static_cast<double>(waited), kTimeout / 0.75 + kTimeout, 3 * kStreamPeriod);
 }
 

@@ -1,7 +1,7 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-/// The trials of bench_c4g_wire, in short.
+/// The trials of bench_c4g_wire, shortened.
 #include <gtest/gtest.h>
 
 #include "follow_trials.h"

@@ -120,7 +120,7 @@ class Driver : public testing::Test {
     });
   }
 
-  /// Moves, and gives the result however it ended.
+  /// Moves, and returns the result however the motion ended.
   MoveResult run(const MoveGoal& goal) {
     move_.sendGoal(goal);
     EXPECT_TRUE(move_.waitForResult(kPatience));

@@ -55,14 +55,14 @@ class C4gTool : public testing::Test {
     return run(command_line(controller_->port(), words));
   }
 
-  /// Ends well, and says this.
+  /// Expects success and this output.
   void expect(const std::string& words, const std::string& said) const {
     const Result result = c4g(words);
     EXPECT_EQ(result.code, 0) << words << ": " << result.said;
     EXPECT_NE(result.said.find(said), std::string::npos) << words << ": " << result.said;
   }
 
-  /// Is refused with this reason, and no motion begins.
+  /// Expects a refusal with this reason, and no motion.
   void expect_refusal(const std::string& words, const std::string& reason) const {
     const Result result = c4g(words);
     EXPECT_EQ(result.code, 2) << words << ": " << result.said;
@@ -70,7 +70,7 @@ class C4gTool : public testing::Test {
     EXPECT_EQ(controller_->motions_begun(), 0u) << words;
   }
 
-  /// What was taken up, but for the polls.
+  /// The commands accepted, except polls.
   std::vector<std::string> commands() const {
     const std::lock_guard<std::mutex> lock(mutex_);
     std::vector<std::string> result;
@@ -140,7 +140,7 @@ TEST_F(C4gTool, MovesAlongALineAndInJoints) {
 
 TEST_F(C4gTool, StopsTheRobotAndClosesTheSessionAtEachSignalThatEndsIt) {
   for (const int number : {SIGINT, SIGTERM, SIGHUP}) {
-    signal(number, SIG_DFL);  // where the tests run under nohup, the tool would ignore it, too
+    signal(number, SIG_DFL);  // under nohup the tests, and so the tool, would ignore it
     const std::uint64_t before = controller_->motions_begun();
     std::istringstream words(command_line(
         controller_->port(), number == SIGTERM ? "move cartesian 800 -300 600 0 180 180"

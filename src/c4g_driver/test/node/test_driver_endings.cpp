@@ -1,7 +1,7 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-/// What the robot does when the driver ends, in whatever way.
+/// What the robot does when the driver ends in any way.
 #include <csignal>
 #include <filesystem>
 #include <nlohmann/json.hpp>
@@ -13,7 +13,7 @@ using namespace driver_node_test;  // NOLINT
 
 namespace {
 
-/// A driver in a process of its own, and its controller.
+/// A driver in its own process, and its controller.
 class DriverEnding : public testing::Test {
  protected:
   DriverEnding() {
@@ -74,7 +74,7 @@ class DriverEndingBySignal : public DriverEnding, public testing::WithParamInter
 }  // namespace
 
 TEST_P(DriverEndingBySignal, StopsTheRobotAndClosesTheSession) {
-  signal(GetParam(), SIG_DFL);  // where the tests run under nohup, the driver would ignore it, too
+  signal(GetParam(), SIG_DFL);  // under nohup the tests, and so the driver, would ignore it
   ASSERT_NO_FATAL_FAILURE(start_driver());
   ASSERT_NO_FATAL_FAILURE(start_long_move());
   EXPECT_EQ(end_driver(GetParam()), 0);

@@ -33,13 +33,13 @@ class JoggedDriver : public driver_node_test::Driver {
     return jog;
   }
 
-  /// Presses the button, and holds it until it is so.
+  /// Presses the button and holds it until the condition holds.
   bool press(const Jog& jog, const std::function<bool()>& condition) {
     let_go();
     return hold(jog, condition);
   }
 
-  /// Sends what a button that is held does until it is so.
+  /// Sends what a held button sends until the condition holds.
   bool hold(const Jog& jog, const std::function<bool()>& condition) {
     return eventually([&] {
       jog_.publish(jog);
@@ -84,7 +84,7 @@ TEST_F(JoggedDriver, MovesWhileTheButtonIsHeldAndStopsWhenItIsLetGo) {
 
 TEST_F(JoggedDriver, StopsWhereNobodyHoldsTheButtonAnyLonger) {
   ASSERT_TRUE(press(along(Jog::FLANGE, 2, -1), [this] { return moved() > 0.01; })) << said();
-  EXPECT_TRUE(eventually([this] { return stands(); }, 0.7));  // silence, a look, braking
+  EXPECT_TRUE(eventually([this] { return stands(); }, 0.7));  // silence, a check, braking
 }
 
 TEST_F(JoggedDriver, TurnsRoundWithoutLettingGo) {

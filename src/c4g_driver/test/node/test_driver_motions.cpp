@@ -121,7 +121,7 @@ TEST_F(Driver, ChecksMotionsOneAfterTheOtherAndMovesNothing) {
   EXPECT_LT(distance(from_ros(answer.pose.pose), looking_down(1.35, 0, 1.5)), 1e-9);
   EXPECT_EQ(answer.pose.header.frame_id, "base_link");
 
-  request.joints = {1, 0, -M_PI / 2, 0, 1, 0};  // from there the first line is another one
+  request.joints = {1, 0, -M_PI / 2, 0, 1, 0};  // from there the first line is different
   request.motions = {to_joints({1.2, 0, -M_PI / 2, 0, 1, 0})};
   request.speeds.clear();
   EXPECT_EQ(call<CheckMotions>("check_motions", request).possible, 1u);

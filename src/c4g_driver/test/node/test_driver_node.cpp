@@ -25,7 +25,7 @@ std::filesystem::path own_program() {
   return std::filesystem::read_symlink("/proc/self/exe");
 }
 
-/// What a client is, as far as the driver sees.
+/// A client, as the driver sees it.
 int listen() {
   ros::NodeHandle node;
   const Latest<RobotStatus> status(node, "/c4g_driver/status");
@@ -33,7 +33,7 @@ int listen() {
   return 0;
 }
 
-/// Exit code of a shell command, and all it said.
+/// Exit code of a shell command, and all its output.
 std::pair<int, std::string> run_command(const std::string& command) {
   FILE* pipe = popen((command + " 2>&1").c_str(), "r");
   std::string said;
@@ -113,7 +113,7 @@ TEST_F(Driver, StopsWhereTheWatcherOfTheGoalDies) {
 
   scan_cell_common::ChildProcess watcher({own_program(), kListen, "__name:=watcher"});
   ASSERT_TRUE(eventually([&] {
-    ros::WallDuration(0.1).sleep();  // goals without end would keep the watcher from starting
+    ros::WallDuration(0.1).sleep();  // goals without a pause would keep the watcher from starting
     move_.sendGoal(goal);
     return !move_.waitForResult(ros::Duration(0.3)) && controller_->motions_begun() == 1;
   })) << move_.getResult()->message;

@@ -24,7 +24,7 @@ TEST_F(Driver, StampsEveryTransformWithTheInstantItWasMeasured) {
     const double y = transform.transform.translation.y;
     if (y > 0.02 && y < 0.23) errors.push_back(distance(from_ros(transform.transform), at));
   }
-  // 0.21 m at 0.25 m/s and 250 Hz make 210; a busy machine loses some
+  // 0.21 m at 0.25 m/s and 250 Hz gives 210; a busy machine loses some
   ASSERT_GT(errors.size(), 100u);
   std::sort(errors.begin(), errors.end());
   EXPECT_LT(errors[errors.size() / 2], 0.1e-3);  // 0.4 ms at 0.25 m/s

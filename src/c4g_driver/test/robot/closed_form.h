@@ -7,7 +7,7 @@
 #include <cmath>
 
 /// Flange of a Comau Smart5 SiX after Denavit and Hartenberg (1955), from the data sheet's lengths:
-/// rotation and shift along z, then along the new x. Owes nothing to the URDF, KDL or the emulator.
+/// rotation and shift along z, then along the new x. Independent of the URDF, KDL and the emulator.
 inline Eigen::Isometry3d flange_by_denavit_hartenberg(const Eigen::Matrix<double, 6, 1>& q) {
   struct Row {
     double theta, d, a, alpha;

@@ -13,7 +13,7 @@
 #include "robot/smart5_six.h"
 #include "scan_cell_common/errors/errors.h"
 
-/// The flange where J1 or J5 is so many degrees.
+/// The flange at this angle [deg] of J1 or J5.
 inline Eigen::Isometry3d at_j1(double angle) {
   return flange_by_denavit_hartenberg(degrees(angle, 0, -90, 0, 70, 0));
 }

@@ -1,7 +1,7 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-/// The driver's arc, held against circles in closed form.
+/// The driver's arc, compared with circles in closed form.
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -1,8 +1,8 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-/// What stands in the way of an arc whose start, via and end are fine. The truth are motions of one
-/// axis, which move the flange on a circle and turn it with it.
+/// What prevents an arc whose start, via and end are valid. The reference is motions of one axis,
+/// which move the flange on a circle and turn it along.
 #include <cmath>
 
 #include "robot/motion_check_test.h"
@@ -16,7 +16,7 @@ namespace {
 
 class ArcCheckTest : public MotionCheckTest {
  protected:
-  /// Where it was refused [%].
+  /// Where the arc was refused [%].
   static int place_in(const std::string& said) {
     const std::size_t end = said.find(" % of the way");
     return end == std::string::npos ? -1 : std::stoi(said.substr(said.rfind(' ', end - 1)));
@@ -107,7 +107,7 @@ TEST_F(ArcCheckTest, NamesTheJointThatItAsksTooMuchSpeedOf) {
   EXPECT_NEAR(check().along_arc(turned(40), turned(100)).max_override,
               100 * smart5_six().speed()[0] * radius / settings_.linear_speed, 0.01);
   settings_.override = 100;
-  settings_.rotational_speed = 1;  // now this rules
+  settings_.rotational_speed = 1;  // now this decides
   EXPECT_EQ(refusal_of_arc(turned(40), turned(100)), "");
 }
 

@@ -37,7 +37,7 @@ TEST_F(MotionCheckTest, NamesATargetThatIsOutOfReach) {
 }
 
 TEST_F(MotionCheckTest, NamesTheJointThatTheTargetTakesOutOfItsRange) {
-  // J1 turns about -z, so that it is 0.56 rad here; a robot leaning back over itself needs -2.58
+  // J1 turns about -z, so it is 0.56 rad here; a robot leaning back over itself needs -2.58
   limits_.joint_lower[0] = -0.3;
   limits_.joint_upper[0] = 0.3;
   for (const bool in_joints : {false, true}) {
@@ -49,7 +49,7 @@ TEST_F(MotionCheckTest, NamesTheJointThatTheTargetTakesOutOfItsRange) {
 }
 
 TEST_F(MotionCheckTest, NamesTheJointThatTheLineTakesOutOfItsRange) {
-  // half way of a chord the flange is nearest to the base, with the arm folded most
+  // half-way along a chord the flange is nearest to the base, with the arm folded most
   const auto joints = [](double y) {
     return *c4g_driver::step_to(smart5_six(), looking_down(0.55, y, 0.6),
                                 c4g_driver::postures_for(smart5_six(), looking_down(0.55, y, 0.6),
@@ -121,7 +121,7 @@ TEST_F(MotionCheckTest, KeepsTheFlangeInTheBoxOnItsWayInJoints) {
   Joints other = joints;
   other[0] = -M_PI / 3;
   EXPECT_EQ(refusal_of_joints(other), "");
-  limits_.workspace_max.x() = 0.7;  // half way x is 0.8
+  limits_.workspace_max.x() = 0.7;  // half-way x is 0.8
   expect_says(refusal_of_joints(other), "way of the flange, x: 0.7");
 }
 

@@ -1,7 +1,7 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
-/// What the driver lets pass, the emulated controller carries out: two independent plans of
-/// a line, an arc, or a path of the tool.
+/// What the driver accepts, the emulated controller carries out: two independent plans of a line,
+/// an arc, or a tool path.
 #include <gtest/gtest.h>
 
 #include <functional>
@@ -27,7 +27,7 @@ scan_cell_sim::LineSettings their(const c4g_driver::MotionSettings& settings) {
   return line;
 }
 
-/// [%] at which the controller need not go slower than it was told; 0 where it refuses.
+/// Highest override [%] at which the controller need not slow down; 0 if it refuses.
 double max_override_of_the_controller(const std::function<scan_cell_sim::PlannedPath()>& plan) {
   try {
     const auto planned = plan();
@@ -59,7 +59,7 @@ class TwoPlans : public testing::Test {
   TwoPlans() {
     settings_.linear_speed = 1;
     settings_.rotational_speed = 3;
-    settings_.override = 1e-3;  // the check tells how much more it would let pass
+    settings_.override = 1e-3;  // the check says how much more it would allow
   }
 
   Eigen::Isometry3d some_pose() {
@@ -84,13 +84,13 @@ class TwoPlans : public testing::Test {
       EXPECT_LE(most, 1.05 * theirs) << passed_ << ". passed";  // a mean over longer steps
     } catch (const scan_cell_common::Refused& error) {
       ++refused_;
-      // nearer to a singular posture than ours lets it, the controller would crawl
+      // nearer to a singular posture than our check allows, the controller would crawl
       EXPECT_LT(theirs, 35) << refused_ << ". refused: " << error.what();
     }
   }
 
-  /// A path of the tool that begins where the robot stands and turns about with its wrist nearly
-  /// straight, where a small turn of the tool takes a large one of J4 and J6.
+  /// A tool path that begins where the robot stands and turns about with its wrist nearly straight,
+  /// where a small turn of the tool needs a large one of J4 and J6.
   c4g_driver::ToolMotion path_near_a_straight_wrist() {
     from_.joints[4] = (some() < 0 ? -1 : 1) * (0.15 + 0.1 * some());
     from_.flange = scan_cell_sim::flange_of(from_.joints);
@@ -98,7 +98,7 @@ class TwoPlans : public testing::Test {
     motion.flange_to_tip = Eigen::Translation3d(0.02, 0, 0.2) * turned(0.3);
     c4g_driver::ToolWaypoint waypoint;
     waypoint.tip = from_.flange * motion.flange_to_tip;
-    waypoint.speed = 1e-3;  // so slow that no axis is asked too much
+    waypoint.speed = 1e-3;  // so slow that no axis is too fast
     for (int i = 0; i < 6; ++i) {
       motion.waypoints.push_back(waypoint);
       waypoint.tip = waypoint.tip * Eigen::Translation3d(0.02 * some(), 0.02 * some(), 0) *

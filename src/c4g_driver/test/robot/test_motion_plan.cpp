@@ -1,8 +1,8 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-/// Several motions, checked before the first. The truth are motions of one axis, which move the
-/// flange on a circle and turn it with it.
+/// Several motions, checked before the first. The reference is motions of one axis, which move the
+/// flange on a circle and turn it along.
 #include "c4g_driver/motion_plan.h"
 #include "robot/motion_check_test.h"
 
@@ -121,7 +121,7 @@ TEST_F(MotionPlanTest, ChecksEachMotionAtItsOwnSpeed) {
   settings_.rotational_speed = 10;
   plan(turned(folded));
   plan(round(place(20), place(40)), 0.2);
-  plan(round(place(60), place(100)), 1.5);  // more than J1 can do: test_arc_check.cpp
+  plan(round(place(60), place(100)), 1.5);  // faster than J1 can move: test_arc_check.cpp
   const PlanCheck check = run();
   EXPECT_EQ(check.ends.size(), 2u);
   expect_says(check.refusal, "speed of J1: ");

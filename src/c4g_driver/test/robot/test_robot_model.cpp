@@ -39,7 +39,7 @@ std::string complaint(std::string urdf, const std::string& from, const std::stri
   return "";
 }
 
-/// Whether the model tells the place and the motion of the flange right, time after time.
+/// Whether the model gives the right position and motion of the flange, again and again.
 bool right_of(const Joints& joints) {
   constexpr int kTimes = 20000;
   constexpr double kTolerance = 1e-9;

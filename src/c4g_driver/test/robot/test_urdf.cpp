@@ -37,7 +37,7 @@ class Urdf : public testing::Test {
     return *model_.getLink(link)->visual_array.at(index);
   }
 
-  /// [m] along x, y, z of a box
+  /// Edges [m] along x, y, z of a box.
   Eigen::Vector3d size(const std::string& link, std::size_t index) const {
     const auto& box = dynamic_cast<const urdf::Box&>(*visual(link, index).geometry);
     return {box.dim.x, box.dim.y, box.dim.z};
@@ -67,7 +67,7 @@ class Urdf : public testing::Test {
   KDL::Chain chain_;
 };
 
-/// What robot_description.py prints, with its errors.
+/// Output of robot_description.py, with its errors.
 std::string printed(const std::string& arguments, int& status) {
   const std::string command = "/usr/bin/python3 " BRACKET " " + arguments + " 2>&1";
   FILE* const pipe = popen(command.c_str(), "r");
@@ -79,7 +79,7 @@ std::string printed(const std::string& arguments, int& status) {
   return text;
 }
 
-/// The model with a bracket that was set up by arguments.
+/// The model with a bracket set up by arguments.
 class Bracket : public Urdf {
  protected:
   void set_up(const std::string& arguments) {

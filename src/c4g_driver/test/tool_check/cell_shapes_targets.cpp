@@ -21,7 +21,7 @@ const char* const kCell =
     "links:\n  - {link: link_2, radius: 0.1}\n"
     "may_touch:\n  - [spindle, floor]\n  - [link_2, part]\n";
 
-/// Whatever was taken holds all that is promised of a shape.
+/// Expects that a shape read keeps every promise of a shape.
 void expect_usable(const CellShape& shape) {
   promise(!shape.name.empty(), "a name");
   promise(shape.size.allFinite(), "a finite size");

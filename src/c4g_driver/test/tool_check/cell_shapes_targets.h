@@ -6,5 +6,5 @@
 
 #include "scan_cell_common/testing/fuzzing.h"
 
-/// The reader of shapes of the cell, with the files that are changed.
+/// The reader of cell shapes, with the files to be mutated.
 std::vector<scan_cell_common::FuzzTarget> cell_shapes_targets();

@@ -73,7 +73,8 @@ TEST_F(ToolCheckTest, RefusesNoPathMadeFromJointsWithinRangesAndFarFromSingularP
 }
 
 TEST_F(ToolCheckTest, NamesTheWaypointAndTheJointThatLeavesItsRange) {
-  // looking down, a turn of the flange about its own axis is J6's alone, the other way round
+  // looking down, a turn of the flange about its own axis is one of J6 alone, in the other
+  // direction
   add_flange(looking_down(0.8, 0, 0.6));
   stand_at_begin(from_.joints);
   const double begin = from_.joints[5];
@@ -93,7 +94,7 @@ TEST_F(ToolCheckTest, NamesTheWaypointAndTheJointThatLeavesItsRange) {
   expect_within(found.refusal(), "0.1 rad are kept free");
   EXPECT_NEAR(found.margins[5].margin, 1.25 - 2.0, 1e-6);
   EXPECT_EQ(found.margins[5].waypoint, 20u);
-  // J1 is at 0, but for the sagitta of the tip's lines, 0.02 m from J6's axis
+  // J1 is at 0, except for the sagitta of the tip's lines, 0.02 m from J6's axis
   EXPECT_NEAR(found.margins[0].margin, 170 * M_PI / 180, 1e-4);
 }
 
@@ -105,7 +106,7 @@ TEST_F(ToolCheckTest, BeginsFullTurnsAwayWhereTheRangeAsksForIt) {
   EXPECT_TRUE(found.possible()) << found.refusal();
   EXPECT_NEAR(found.joints.back()[5] - found.joints.front()[5], 6.0, 1e-6);
   EXPECT_NEAR(found.joints.front()[5], from_.joints[5] - 2 * M_PI, 0.1);
-  stand_at_begin(from_.joints);  // it stands there, but has no turn of J6 left
+  stand_at_begin(from_.joints);  // the robot stands there, but has no turn of J6 left
   const ToolCheck unwound = check();
   EXPECT_TRUE(unwound.possible()) << unwound.refusal();
   EXPECT_FALSE(unwound.stands_there);
@@ -221,7 +222,7 @@ TEST_F(ToolCheckTest, NamesWhereTheFlangeLeavesItsBox) {
 
 TEST_F(ToolCheckTest, BlamesNoWaypointForTheOneBeforeIt) {
   add_line({0.8, -0.2, 0.6}, {0.8, 0.2, 0.6}, 41);
-  limits_.workspace_min.y() = -0.105;  // half way from 9 to 10
+  limits_.workspace_min.y() = -0.105;  // half-way from 9 to 10
   const ToolCheck found = check();
   ASSERT_EQ(found.faults.size(), 10u);
   EXPECT_EQ(found.faults.back().waypoint, 9u);
@@ -285,7 +286,7 @@ TEST_F(ToolCheckTest, LeavesThePostureThatFailsOnTheWay) {
   const ToolCheck found = check();
   EXPECT_TRUE(found.possible()) << found.refusal();
   EXPECT_NEAR(found.joints.front()[4], -first, 1e-6);
-  limits_.joint_upper[4] = -(first + last) / 2 - 0.1;  // the other one gets less far
+  limits_.joint_upper[4] = -(first + last) / 2 - 0.1;  // the other posture gets less far
   EXPECT_LT(check().joints.front()[4], 0);
 }
 

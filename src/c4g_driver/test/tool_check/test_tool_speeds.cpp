@@ -8,8 +8,8 @@ namespace {
 using Eigen::AngleAxisd;
 using Eigen::Vector3d;
 
-// Looking down, the wrist's centre stands above the flange: on a line x = r, J1 = -atan(y / r) goes
-// fastest at y = 0, by v / r.
+// Looking down, the wrist's centre is above the flange: on a line x = r, J1 = -atan(y / r) is
+// fastest at y = 0, at v / r.
 TEST_F(ToolCheckTest, TellsTheSpeedOfTheSlowestPlace) {
   add_line({0.5, -0.1, 0.5}, {0.5, 0.1, 0.5}, 41, 0.1);
   const ToolCheck found = check();
@@ -42,7 +42,7 @@ TEST_F(ToolCheckTest, RefusesASpeedThatAJointCannotGo) {
 TEST_F(ToolCheckTest, TurnsTheToolInPlaceNoFasterThanItsJointGoes) {
   for (int i = 0; i < 5; ++i)
     add_flange(looking_down(0.8, 0, 0.6) * AngleAxisd(0.2 * i, Vector3d::UnitZ()));
-  // the tip is off J6's axis, so that it moves, too: its time is that of the turn
+  // the tip is off J6's axis, so it moves, too: its time is that of the turn
   parameters_.rotational_speed = 9.5;
   for (ToolWaypoint& waypoint : motion_.waypoints)
     waypoint.speed = 1.4;

@@ -20,7 +20,7 @@ class ToolSpinTest : public ToolCheckTest {
     parameters_.free_about_z = true;
   }
 
-  /// Round a circle, looking down, with the tool's x along the way.
+  /// Adds a circle, looking down, with the tool's x along the way.
   void add_circle(double turns, int count) {
     for (int i = 0; i <= count; ++i) {
       const double angle = 2 * M_PI * turns * i / count;
@@ -31,7 +31,7 @@ class ToolSpinTest : public ToolCheckTest {
     }
   }
 
-  /// The same positions and axes of the tool.
+  /// Expects the same positions and axes of the tool.
   void expect_only_turned(const ToolCheck& found) const {
     ASSERT_EQ(found.tips.size(), motion_.waypoints.size());
     for (std::size_t i = 0; i < found.tips.size(); ++i) {
@@ -89,8 +89,8 @@ TEST_F(ToolSpinTest, MovesTheJointsNoMoreThanAnyOneOrientationDoes) {
 }
 
 TEST_F(ToolSpinTest, TurnsTheToolSoThatTheWristStandsStill) {
-  // on a circle about axis 1, looking down with the tip on J6's axis: J1 has to go, and J6 only
-  // where the orientation has to stay
+  // on a circle about axis 1, looking down with the tip on J6's axis: J1 has to move, and J6 only
+  // if the orientation has to stay
   motion_.flange_to_tip = Isometry3d(Translation3d(0, 0, 0.2));
   for (int i = 0; i <= 200; ++i) {
     const double angle = 0.01 * i - 1;
@@ -106,7 +106,7 @@ TEST_F(ToolSpinTest, TurnsTheToolSoThatTheWristStandsStill) {
     least = least.cwiseMin(joints);
     most = most.cwiseMax(joints);
   }
-  EXPECT_NEAR(most[0] - least[0], 2.0, 1e-6);  // J1 is given by the way
+  EXPECT_NEAR(most[0] - least[0], 2.0, 1e-6);  // J1 is determined by the way
   EXPECT_LT(most[5] - least[5], 0.02);
 }
 
@@ -142,7 +142,7 @@ TEST_F(ToolSpinTest, BeginsAsTheRobotStands) {
   EXPECT_TRUE(found.stands_there);
   EXPECT_LT((found.joints.front() - begin).norm(), 1e-6);
   EXPECT_TRUE(found.tips.front().isApprox(motion_.waypoints.front().tip, 1e-6));
-  // with another turn of the tool, it begins with that
+  // with another turn of the tool, the path begins with that turn
   stand(*step_to(smart5_six(),
                  motion_.waypoints.front().tip * AngleAxisd(0.5, Vector3d::UnitZ()) *
                      motion_.flange_to_tip.inverse(),

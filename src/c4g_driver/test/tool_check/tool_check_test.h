@@ -29,7 +29,7 @@ class ToolCheckTest : public testing::Test {
     from_.flange = flange_by_denavit_hartenberg(joints);
   }
 
-  /// Stands where the path begins, in the posture near to these joints.
+  /// Puts the robot at the start of the path, in the posture near these joints.
   void stand_at_begin(const Joints& near) {
     const auto joints = step_to(
         smart5_six(), motion_.waypoints.front().tip * motion_.flange_to_tip.inverse(), near);

@@ -29,7 +29,7 @@ std::uint64_t allocations_of_this_thread() {
   return count;
 }
 
-// In the place of glibc's, for the whole program: operator new ends here, too.
+// Replaces glibc's for the whole program: operator new ends here, too.
 extern "C" {
 
 void* __libc_malloc(std::size_t size);

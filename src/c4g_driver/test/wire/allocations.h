@@ -4,7 +4,7 @@
 
 #include <cstdint>
 
-/// How often the calling thread took memory from the heap, by whatever way, in a program that
-/// allocations.cpp is linked into. None where a sanitizer has the heap.
+/// How often the calling thread allocated memory on the heap, in any way, in a program that links
+/// allocations.cpp. 0 if a sanitizer owns the heap.
 std::uint64_t allocations_of_this_thread();
 bool counts_allocations();

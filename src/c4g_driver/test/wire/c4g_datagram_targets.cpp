@@ -13,7 +13,7 @@ namespace {
 
 using namespace scan_cell_common;
 
-// as in c4g_protocol.md, not sealed: the fuzzer seals what it changed, so that it gets past
+// as in c4g_protocol.md, not sealed: the fuzzer seals what it changed, so that it passes
 const char* const kStreamed =
     R"({"c4g": 1, "session": 1790000000000000, "type": "state", "n": 1204, "t": 48123456,
 "pose": [798.301, 42, 875.5, 0, 180, 180],
@@ -53,8 +53,8 @@ bool stands_once(const std::string& datagram, const std::string& key) {
   return first != std::string::npos && datagram.find(key, first + 1) == std::string::npos;
 }
 
-/// What another JSON library reads. Of keys that come twice each takes its own; there is nothing to
-/// compare then.
+/// Compares with what another JSON library reads. For a repeated key each library picks its own
+/// value, so there is nothing to compare.
 void compare(const c4g_driver::StreamedState& state, const std::string& datagram) {
   const auto packet = nlohmann::json::parse(datagram);
   const auto same = [&](const char* key, double read, double unit) {
@@ -87,7 +87,7 @@ void read_as_driver(const std::string& datagram) {
   }
 }
 
-/// An answer of the controller must be one that the driver reads.
+/// Checks that the driver can read an answer of the controller.
 const c4g_driver::Acknowledgement check_answer(const std::string& datagram) {
   promise(datagram.size() <= c4g_driver::kMaxDatagramBytes, "an answer that is too long");
   try {
@@ -98,7 +98,8 @@ const c4g_driver::Acknowledgement check_answer(const std::string& datagram) {
   }
 }
 
-/// Whatever is asked of it, the robot stays within its joints' ranges and the answers are readable.
+/// Checks that, whatever the request, the robot stays within its joint ranges and the answers are
+/// readable.
 void ask_controller(const std::string& datagram) {
   constexpr Nanoseconds kSecond = 1'000'000'000;
   scan_cell_sim::OfflineController controller;
@@ -118,7 +119,8 @@ void ask_controller(const std::string& datagram) {
   throw ProtocolError("request", acknowledgement.error->text.c_str(), "as it says");
 }
 
-/// A path's only piece, whatever it says: it is followed if the controller has all of it.
+/// Sends a path's only piece, whatever it contains, and follows the path if the controller has all
+/// of it.
 void ask_to_follow(const std::string& piece) {
   constexpr Nanoseconds kSecond = 1'000'000'000;
   scan_cell_sim::OfflineController controller;
@@ -156,7 +158,7 @@ std::vector<std::string> pieces() {
           head + R"([800,0,450,0,180,90,1500,100,4294967295]]})"};
 }
 
-/// What the driver writes is what it was given, and fits.
+/// Checks that the driver writes what it was given, and that it fits.
 void write_parameter(const std::string& text) {
   const std::size_t middle = text.find('|');
   if (middle == std::string::npos) throw ProtocolError("text", "no middle", "give one");

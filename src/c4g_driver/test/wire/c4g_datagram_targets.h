@@ -6,5 +6,5 @@
 
 #include "scan_cell_common/testing/fuzzing.h"
 
-/// Who reads C4G datagrams, the driver and the emulated controller, for the fuzzers.
+/// The readers of C4G datagrams, driver and emulated controller, for the fuzzers.
 std::vector<scan_cell_common::FuzzTarget> c4g_datagram_targets();

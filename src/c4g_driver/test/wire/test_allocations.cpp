@@ -41,7 +41,7 @@ TEST_F(ClientTest, AllocatesNothingBetweenDatagramAndHandingOn) {
     if (counts.size() < counts.capacity()) counts.push_back(allocations_of_this_thread());
   });
   EXPECT_TRUE(eventually([this] { return client_->link().up; }));
-  // moving: polled and streamed at once, with all that a state can hold
+  // moving: polled and streamed at once, with everything that a state can hold
   controller_->set_state(
       {{"status", "moving"},
        {"motion", 1},

@@ -25,7 +25,7 @@ sockaddr_in on(const std::string& address, std::uint16_t port) {
   return result;
 }
 
-/// Somebody on this machine with an address and a port of his own.
+/// Another program on this machine, with its own address and port.
 class Somebody {
  public:
   explicit Somebody(const std::string& address) : socket_(socket(AF_INET, SOCK_DGRAM, 0)) {
@@ -68,7 +68,7 @@ TEST(PeerSocket, IsBoundToTheAddressItIsGiven) {
 
 TEST(PeerSocket, RefusesAnAddressThatIsNotOfThisMachineByItsName) {
   try {
-    PeerSocket socket("192.0.2.77", "127.0.0.1", 5410, kMost);  // kept free for documentation
+    PeerSocket socket("192.0.2.77", "127.0.0.1", 5410, kMost);  // reserved for documentation
     FAIL() << "it listens nowhere";
   } catch (const scan_cell_common::InvalidParameter& error) {
     EXPECT_NE(std::string(error.what()).find("local address: '192.0.2.77'"), std::string::npos)

@@ -1,7 +1,7 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-/// The examples of c4g_protocol.md, as client and controller read and write them.
+/// The examples of c4g_protocol.md, read and written by client and controller.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -63,7 +63,7 @@ c4g_driver::ToolWaypoint waypoint(double x, double y, double z, double speed, do
   return result;
 }
 
-/// By the seals that the document shows.
+/// Checksum from the seals that the document shows.
 std::uint32_t checksum() {
   c4g_driver::PathChecksum sum;
   for (const std::string& example : examples_with("\"path\""))
@@ -71,7 +71,7 @@ std::uint32_t checksum() {
   return sum.value();
 }
 
-/// What the document's requests ask for, in their order.
+/// The document's requests, in order.
 std::vector<c4g_driver::Request> requests() {
   using namespace c4g_driver;  // NOLINT
   Joints joints;
@@ -79,7 +79,7 @@ std::vector<c4g_driver::Request> requests() {
   Eigen::Isometry3d flange = Eigen::Isometry3d::Identity();
   flange.translation() << 0.8, 0.1, 0.6;
   flange.linear() = Eigen::Vector3d(1, -1, -1).asDiagonal();
-  // from there clockwise round x = 0.8, y = 0, as seen from above
+  // from there clockwise round x = 0.8, y = 0, seen from above
   const Eigen::Translation3d out(0.8, 0, 0), back(-0.8, 0, 0);
   const auto turned = [&](double angle) {
     return out * Eigen::AngleAxisd(angle, -Eigen::Vector3d::UnitZ()) * back * flange;
@@ -107,7 +107,7 @@ std::vector<c4g_driver::Request> requests() {
       Close{}};
 }
 
-/// The same to the rounding of what was computed.
+/// Expects equality within the rounding of computed numbers.
 void expect_same(const json& written, const json& built) {
   for (const json& change : json::diff(written, built)) {
     const json::json_pointer where(change["path"].get<std::string>());

@@ -1,7 +1,7 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-/// Every pose, every joint and every angle that c4g_protocol.md shows, held against the arm.
+/// Every pose, joint and angle that c4g_protocol.md shows, compared with the arm.
 #include <gtest/gtest.h>
 
 #include <map>
@@ -42,7 +42,7 @@ WireSix six_of(const std::string& text) {
 
 const std::string kSix = R"(\[(-?[\d.]+(?:, -?[\d.]+){5})\])";
 
-/// All six numbers in brackets that stand after these words.
+/// All groups of six numbers in brackets that follow these words.
 std::vector<WireSix> sixes_after(const std::string& words) {
   std::vector<WireSix> found;
   const std::regex wanted(words + kSix);
@@ -67,8 +67,8 @@ double number_after(const std::string& words) {
   return match.empty() ? 0 : std::stod(match[1]);
 }
 
-/// As the page rounds: half of 0.001 mm and half of 0.0001 degree in each number, and their sum
-/// over an arm of a metre.
+/// Within the page's rounding: half of 0.001 mm and half of 0.0001 degree in each number, and their
+/// sum over an arm of a metre.
 void expect_belongs(const WireSix& joints, const WireSix& pose) {
   const Isometry3d shown = c4g_driver::pose_from_wire(pose);
   const Joints q = c4g_driver::joints_from_wire(joints);

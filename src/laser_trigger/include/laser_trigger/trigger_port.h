@@ -24,7 +24,7 @@ constexpr std::uint8_t laser_bits(std::uint8_t lasers) {
   return static_cast<std::uint8_t>(lasers << 1);
 }
 
-/// There is no such port, or it is of another kind.
+/// The port does not exist or is of another kind.
 class NoDevice : public scan_cell_common::ConnectionError {
  public:
   using ConnectionError::ConnectionError;
@@ -42,7 +42,7 @@ class DeviceBusy : public scan_cell_common::ConnectionError {
   using ConnectionError::ConnectionError;
 };
 
-/// The wire to the trigger circuit: eight output lines.
+/// The connection to the trigger circuit: eight output lines.
 class TriggerPort {
  public:
   virtual ~TriggerPort() = default;
@@ -52,7 +52,7 @@ class TriggerPort {
   virtual void write(std::uint8_t data) = 0;
 };
 
-/// Which port to use. Plain data: it travels to the guardian process as bytes.
+/// Which port to use. Plain data, since it is sent to the guardian process as bytes.
 struct PortAddress {
   /// A PC's port, or the simulator.
   enum class Kind : std::uint8_t { kParallel, kLoopback };
@@ -69,7 +69,7 @@ struct PortAddress {
   std::string name() const;  //!< such as /dev/parport0
 };
 
-/// With range and meaning of each.
+/// Adds each parameter with its range and meaning.
 void describe(scan_cell_common::ParameterTable& table, PortAddress& address);
 
 /// @throw NoDevice, NoPermission, DeviceBusy, scan_cell_common::InvalidParameter

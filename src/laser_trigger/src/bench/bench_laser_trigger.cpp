@@ -1,9 +1,8 @@
-// Copyright 2026 the scan cell developers
-// SPDX-License-Identifier: BSD-3-Clause
-// The pulses of the loopback port as received, by the kernel's time of receipt: their delay after
-// the deadline, their period, and the error of the stamps of their events. Compared with a plain
-// thread with absolute clock_nanosleep deadlines of the same rate and scheduling, at the same time;
-// with normal and real-time scheduling, on an idle and on a loaded machine.
+// Copyright 2026 the scan cell developers SPDX-License-Identifier: BSD-3-Clause Measures the pulses
+// of the loopback port by the kernel's time of receipt: their delay after the deadline, their
+// period, and the error of their events' stamps. A plain thread with absolute clock_nanosleep
+// deadlines of the same rate and scheduling runs at the same time for comparison. Runs with normal
+// and real-time scheduling, on an idle and on a loaded machine.
 #include <fmt/format.h>
 #include <pthread.h>
 
@@ -102,7 +101,7 @@ struct Measured {
   Distribution late;     // edge at the receiver, after its deadline
   Distribution period;   // error of the time between two edges
   Distribution stamp;    // absolute error of an event's stamp
-  Distribution plain;    // of the yardstick: after its deadline
+  Distribution plain;    // of the plain thread: after its deadline
   TriggerStatus status;  // at the end
 };
 

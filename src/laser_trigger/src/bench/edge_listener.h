@@ -12,7 +12,7 @@
 namespace laser_trigger {
 
 /// A trigger circuit on its own UDP port that records when the kernel received each rising edge of
-/// the camera's line. It reads only from time to time, so that it does not disturb the measurement.
+/// the camera's line. It reads only from time to time, to avoid disturbing the measurement.
 class EdgeListener {
  public:
   EdgeListener() = default;

@@ -37,7 +37,8 @@ void check_rate(const PulseGenerator::Arming& arming, const PulseGenerator::Sett
     throw Refused("rate", fmt::format("{:g} Hz", arming.rate),
                   fmt::format("give a rate from {:g} to {:g} Hz", kMinRate, most));
   }
-  // They change places half a period after the pulse, or once the exposure is over.
+  // They change places half a period after the pulse, or when the exposure is over, if that is
+  // later.
   const double exposure = exposure_of(arming, settings);
   const double turn = std::max(exposure, settings.laser_rise) + settings.laser_rise;
   if (arming.alternate && arming.rate * turn > 1) {

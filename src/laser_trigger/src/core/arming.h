@@ -6,17 +6,17 @@
 
 namespace laser_trigger {
 
-/// @throw scan_cell_common::Refused if rate, lasers or longest_on make no sense, or leave lasers
-/// that take turns too little time
+/// @throw scan_cell_common::Refused if rate, lasers or longest_on are invalid, or leave alternating
+/// lasers too little time
 void check(const PulseGenerator::Arming& arming, const PulseGenerator::Settings& settings);
 
-/// [s] after a pulse in which lasers that take turns stay as they are.
+/// [s] after a pulse during which alternating lasers do not change.
 double exposure_of(const PulseGenerator::Arming& arming, const PulseGenerator::Settings& settings);
 
-/// Mask of the lasers that are on with the pulse of this count, from 1.
+/// Mask of the lasers that are on with the pulse of this count (from 1).
 std::uint8_t lasers_of(const PulseGenerator::Arming& arming, std::uint64_t count);
 
-/// Periods from the deadline of the pulse of this count to that of the next.
+/// Periods from the deadline of the pulse of this count to the deadline of the next.
 int periods_after(const PulseGenerator::Arming& arming, std::uint64_t count);
 
 }  // namespace laser_trigger

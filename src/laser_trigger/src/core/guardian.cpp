@@ -52,7 +52,7 @@ class Watch {
       if (ready < 0 && errno == EINTR) continue;
       if (ready == 0) {
         pidfd_send_signal(parent_, SIGKILL, nullptr, 0);
-        armed_ = false;  // the end of the socket comes next
+        armed_ = false;  // next, the socket ends
         continue;
       }
       Message message;
@@ -99,7 +99,8 @@ class Watch {
   std::optional<PortAddress> address_;
 };
 
-/// The same file under a number that detach() keeps: a node may be started without streams.
+/// Moves a file to a descriptor above the standard streams, which detach() replaces: a node may be
+/// started without streams.
 int above_streams(int file) {
   if (file < 0) return file;
   const int moved = fcntl(file, F_DUPFD_CLOEXEC, STDERR_FILENO + 1);
@@ -149,7 +150,7 @@ Guardian::Guardian() {
 }
 
 void Guardian::send(const void* message, std::size_t size) const {
-  // Never waits: a guardian that does not read cannot guard.
+  // Does not block: a guardian that does not read cannot guard.
   const ssize_t sent = ::send(socket_.number(), message, size, MSG_NOSIGNAL | MSG_DONTWAIT);
   if (sent == static_cast<ssize_t>(size)) return;
   throw scan_cell_common::ConnectionError(

@@ -12,7 +12,7 @@
 namespace laser_trigger {
 
 /// The other end of a LoopbackPort, in place of the simulator's circuit: receives the register's
-/// values. Not safe for use from several threads.
+/// values. Not thread-safe.
 class LoopbackCircuit {
  public:
   struct Write {

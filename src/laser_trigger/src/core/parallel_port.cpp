@@ -54,8 +54,8 @@ ParallelPort::~ParallelPort() {
 
 void ParallelPort::claim(double timeout) {
   if (claimed_) return;
-  // The kernel waits for the port forever, so a separate thread does the waiting; if it is
-  // abandoned, it keeps a duplicate of the descriptor until the process ends.
+  // The kernel waits for the port forever, so a separate thread does the waiting; an abandoned
+  // thread keeps a duplicate of the descriptor until the process ends.
   const int descriptor = dup(descriptor_.number());
   auto claimed = std::make_shared<std::promise<int>>();
   std::future<int> answer = claimed->get_future();

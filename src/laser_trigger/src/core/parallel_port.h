@@ -8,8 +8,8 @@
 namespace laser_trigger {
 
 /// A PC's parallel port through Linux' ppdev. The claim is taken at the first write and held, so no
-/// other program can change the lines meanwhile; the kernel releases it when the process dies for
-/// any reason. It does not clear the data register then: that is the guardian's task.
+/// other program can change the lines meanwhile. The kernel releases it when the process dies for
+/// any reason, but does not clear the data register: that is the guardian's task.
 class ParallelPort : public TriggerPort {
  public:
   /// @throw NoDevice, NoPermission
@@ -18,7 +18,7 @@ class ParallelPort : public TriggerPort {
   ParallelPort(const ParallelPort&) = delete;
   ParallelPort& operator=(const ParallelPort&) = delete;
 
-  /// Claims the port if that has not been done yet.
+  /// Claims the port unless it is already claimed.
   /// @throw DeviceBusy if another program holds it for longer than `timeout` [s]
   void claim(double timeout);
 

@@ -161,7 +161,7 @@ TriggerStatus PulseGenerator::status() const {
 }
 
 void PulseGenerator::run() {
-  prctl(PR_SET_TIMERSLACK, 1);  // [ns] or the kernel may wake it 50 us late, to save power
+  prctl(PR_SET_TIMERSLACK, 1);  // [ns] else the kernel may wake it 50 us late to save power
   while (true) {
     {
       std::unique_lock<std::mutex> lock(mutex_);
@@ -231,7 +231,7 @@ void PulseGenerator::generate() {
   const nanoseconds period = seconds(1 / arming.rate);
   const nanoseconds exposure = seconds(exposure_of(arming, settings_));
   Clock::time_point deadline = Clock::now() + period;
-  Clock::time_point steady = deadline;  // the next pulse's laser, from then on
+  Clock::time_point steady = deadline;  // from then on the next pulse's laser is steady
   while (wait_until(std::max(deadline, steady), begin.arming)) {
     const auto late = Clock::now() - deadline;
     if (late * 2 < period) {
@@ -284,7 +284,7 @@ void PulseGenerator::send_pulse(Clock::time_point deadline, std::uint32_t arming
     const Nanoseconds after = host_now();
     edge_ = Clock::now();
     if (failure.empty()) {
-      // A delay of the write comes after the edge, as the call returns.
+      // A longer write is delayed after the edge, as the call returns.
       shortest_write_ = std::clamp<Nanoseconds>(after - before, 0, shortest_write_);
       pulse = {before + shortest_write_ / 2, status_.arming, ++status_.pulses, lit_, late};
       status_.latest = std::max(status_.latest, scan_cell_common::to_seconds(late));

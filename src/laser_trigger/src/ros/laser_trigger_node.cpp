@@ -25,7 +25,7 @@ void serve(laser_trigger::Guardian& guardian) {
     ROS_WARN("%s", error.what());
   }
   TriggerServices services(node, parameters, *port, guardian);
-  scan_cell_common::take_over_shutdown();  // so that the lines go low before ROS is gone
+  scan_cell_common::take_over_shutdown();  // so that the lines go low before ROS shuts down
   constexpr int kThreads = 2;              // so that a service call does not block the keep-alive
   constexpr double kLook = 0.02;           // [s] between two checks for a shutdown; chosen
   ros::AsyncSpinner spinner(kThreads);

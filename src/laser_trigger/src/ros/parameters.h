@@ -12,7 +12,7 @@ struct Parameters {
   double hang_timeout = 2;  //!< [s]
 };
 
-/// With range, unit and meaning of each.
+/// Adds each parameter with its range, unit and meaning.
 void describe(scan_cell_common::ParameterTable& table, Parameters& parameters);
 
 }  // namespace laser_trigger

@@ -45,8 +45,8 @@ class TriggerServices {
   scan_cell_common::Listeners listeners_;  // to the state
   ros::Publisher events_;
   ros::Publisher state_;
-  std::mutex state_mutex_;   // the state published last is the latest
-  std::mutex client_mutex_;  // of the client, and while it is armed
+  std::mutex state_mutex_;   // keeps the state published last the latest
+  std::mutex client_mutex_;  // guards client_; held while arming
   std::string client_;       // the subscriber that armed it; empty: none
   std::unique_ptr<PulseGenerator> generator_;
   ros::Subscriber keep_alive_;

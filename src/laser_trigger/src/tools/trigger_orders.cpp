@@ -32,7 +32,7 @@ std::string laser_names(std::uint8_t lasers) {
   return names;
 }
 
-/// [s] that it takes
+/// Duration [s] of an order.
 double duration(const Order& order) {
   if (order.pulses == 0) return order.seconds;
   const std::uint64_t slow = order.alternate ? PulseGenerator::kSlowStart : 0;
@@ -47,7 +47,7 @@ void check(const Order& order) {
       fmt::format("give a duration above 0 and up to {} s", static_cast<int>(kLongestOn)));
 }
 
-/// Keeps it armed until it is over, a signal comes, or it disarmed itself.
+/// Keeps the circuit armed until the order is done, a signal arrives, or it disarms itself.
 TriggerStatus wait_for_end(PulseGenerator& generator, const Order& order) {
   constexpr auto kGlance = std::chrono::milliseconds(20);  // [ms] chosen
   const auto begin = Clock::now();
@@ -68,7 +68,7 @@ TriggerStatus wait_for_end(PulseGenerator& generator, const Order& order) {
   return generator.status();
 }
 
-/// @throw scan_cell_common::Error unless it was done and the lines are low
+/// @throw scan_cell_common::Error unless the order was done and the lines are low
 void tell(const TriggerStatus& ended, double seconds) {
   constexpr double kMilliseconds = 1e3;  // in a second
   char said[200];

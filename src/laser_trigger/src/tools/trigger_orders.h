@@ -4,30 +4,30 @@
 
 #include "laser_trigger/pulse_generator.h"
 
-/// What the program trigger does; a signal ends each early.
+/// The orders of the program trigger; a signal ends each of them early.
 namespace laser_trigger {
 
-/// The longest on-time of anything.
+/// The longest on-time of any order.
 constexpr double kLongestOn = 300;  //!< [s] as the node's longest_on
 
 struct Order {
   double rate = 0;           //!< [Hz] 0: no pulses
   std::uint8_t lasers = 0;   //!< mask, bit 0: laser_0
-  std::uint64_t pulses = 0;  //!< after which it ends; 0: after `seconds`
+  std::uint64_t pulses = 0;  //!< number after which the order ends; 0: after `seconds`
   double seconds = 0;        //!< [s]
   bool alternate = false;    //!< the lasers take turns, pulse by pulse
 };
 
-/// Switches on, waits for the end of it, and says what was done. A guardian process sets the lines
-/// low should this one die.
+/// Switches on, waits for the end, and prints what was done. A guardian process sets the lines low
+/// if this process dies.
 /// @throw scan_cell_common::Refused if the order is invalid, or a signal ended it early
 /// @throw scan_cell_common::ConnectionError if port or guardian cannot be reached, or were lost
 void carry_out(const Order& order, const PortAddress& address);
 
 /// Prints what the lines do, as the circuit at the other end of a loopback port.
-/// @param seconds for so long; 0: until a signal comes
+/// @param seconds how long; 0: until a signal arrives
 /// @throw scan_cell_common::Refused for a parallel port, which cannot be watched
-/// @throw scan_cell_common::ConnectionError if another program is the circuit
+/// @throw scan_cell_common::ConnectionError if another program already is the circuit
 void watch(const PortAddress& address, double seconds);
 
 }  // namespace laser_trigger

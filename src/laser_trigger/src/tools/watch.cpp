@@ -16,7 +16,7 @@ using scan_cell_common::CatchInterrupts;
 using scan_cell_common::Nanoseconds;
 using scan_cell_common::Refused;
 
-/// What changed from one write to the next, a line each.
+/// Prints what changed from one write to the next, one line per change.
 class Display {
  public:
   void show(const LoopbackCircuit::Write& write) {

@@ -20,7 +20,7 @@ struct FrameRecord;
 /// Binds the frames of one scan to the poses at their pulses.
 ///
 /// Poses, pulses and frames may arrive in any order relative to each other: the decisions do not
-/// depend on it. Not safe for use from several threads at once.
+/// depend on it. Not thread-safe.
 class Binder {
  public:
   /// @throw scan_cell_common::InvalidParameter as check()
@@ -29,38 +29,38 @@ class Binder {
   Binder(const Binder&) = delete;
   Binder& operator=(const Binder&) = delete;
 
-  /// Tells of the next arming of the trigger. Call it before each, or never: then each arming is a
-  /// pass.
+  /// Announces the next arming of the trigger. Call it before each arming, or never: then each
+  /// arming is a pass.
   /// @throw as check(run, settings)
-  /// @throw scan_cell_common::Refused if it is not the first, and the settings give a motion
+  /// @throw scan_cell_common::Refused if it is not the first run and the settings give a motion
   void start_run(const Run& run);
 
   /// @throw scan_cell_common::Refused if the pose log is full
   void add_pose(const TimedPose& pose);
-  /// A repeated pulse, or one out of order, is dropped and counted.
-  /// @throw scan_cell_common::Refused, as the calls beside it, where the method needs a motion that
-  /// nobody told
+  /// Drops and counts a pulse that is repeated or out of order.
+  /// @throw scan_cell_common::Refused, like add_pose() and add_frame(), if the method needs a
+  /// motion that was not announced
   void add_pulse(const Pulse& pulse);
 
-  /// @return its number: 0, 1, ... in the order of arrival
+  /// @return the frame's number: 0, 1, ... in order of arrival
   /// @throw scan_cell_common::Refused if too many frames wait for pulses or poses
   std::size_t add_frame(const Frame& frame);
 
-  /// No more pulses will come.
+  /// Call when no more pulses will arrive.
   void end_pulses();
 
-  /// No more data will come: decides everything that is left.
-  /// @param triggers pulses that were sent, if known: the audit says how many of them are missing
+  /// Call when no more data will arrive: decides everything that is left.
+  /// @param triggers number of pulses sent, if known: the audit says how many of them are missing
   void end(std::uint64_t triggers = 0);
 
-  /// Decisions since the last call. Matches come in the order of the frames.
+  /// Returns the decisions since the last call. Matches are in the order of the frames.
   std::vector<Decision> take_decisions();
 
   /// Whether each of `triggers` pulses has arrived and is bound or named by a dropped frame.
   bool whole(std::uint64_t triggers) const;
 
-  /// Grows with each pulse and with each frame that may be of one; of frames that no pulse exposed,
-  /// such as those of a camera in free run, only with the first few.
+  /// Grows with each pulse and with each frame that may belong to a pulse. Frames that no pulse
+  /// exposed, as from a free-running camera, count only at first.
   std::uint64_t progress() const;
 
   std::uint64_t pulses() const;                     //!< known so far
@@ -69,8 +69,8 @@ class Binder {
   /// Covers what has been decided; complete after end().
   Audit audit() const;
 
-  /// The same without what needs a pass over all frames and pulses: the list of drops, the frames
-  /// that never arrived and latency_doubtful. For the diagnostics of a running scan.
+  /// The audit without what takes a pass over all frames and pulses: the list of drops, the frames
+  /// that never arrived, and latency_doubtful. For the diagnostics of a running scan.
   Audit counts() const;
 
  private:
@@ -90,7 +90,7 @@ class Binder {
   const std::unique_ptr<PulseLog> pulses_;
   const std::unique_ptr<FrameLog> frames_;
   const std::unique_ptr<FrameMatcher> matcher_;
-  std::vector<std::uint32_t> passes_;  // of the runs, as they were told
+  std::vector<std::uint32_t> passes_;  // of the runs, as announced
   std::vector<Fate> fates_;            // of the pulses
   std::uint64_t settled_ = 0;          // pulses whose fate is known
   std::vector<Decision> decisions_;

@@ -58,7 +58,7 @@ struct Pulse {
   Nanoseconds time = 0;      //!< of the rising edge
   std::uint32_t arming = 0;  //!< number of the trigger's arming
   std::uint64_t count = 0;   //!< within the arming, from 1
-  std::uint8_t lasers = 0;   //!< mask of those that were on with it, bit 0: laser_0
+  std::uint8_t lasers = 0;   //!< mask of the lasers that were on with it, bit 0: laser_0
 };
 
 /// What the binder needs to know about a frame.
@@ -66,18 +66,18 @@ struct Frame {
   std::uint32_t acquisition = 0;       //!< number of the camera's start
   std::uint64_t counter = 0;           //!< unwrapped
   Nanoseconds stamp = 0;               //!< of the exposure, host time; late by a constant latency
-  std::string corrupt;                 //!< why it cannot be used; empty where it can
-  std::uint8_t laser = kLaserUnknown;  //!< index, where the camera tells it
+  std::string corrupt;                 //!< why it cannot be used; empty: it can
+  std::uint8_t laser = kLaserUnknown;  //!< index, if the camera tells it
 };
 
 /// A motion along a line at constant speed (thesis, section 6.1). The first pulse of an arming is
-/// at its start, the others follow at a constant frame rate. Nothing of it is measured.
+/// at its start, the others follow at a constant frame rate. None of it is measured.
 struct ConstantSpeed {
   Eigen::Isometry3d start = none();  //!< pose of the flange in the frame of the poses
   Eigen::Isometry3d end = none();    //!< the same at the end
   double speed = 0;                  //!< [m/s]
   double frame_rate = 0;             //!< [Hz]
-  bool object_moves = false;  //!< on a conveyor, from start to end, and the scanner stands at start
+  bool object_moves = false;         //!< a conveyor carries it from start to end; scanner at start
 
   /// A pose of NaN: not given.
   static Eigen::Isometry3d none() {
@@ -89,59 +89,58 @@ struct ConstantSpeed {
   EIGEN_MAKE_ALIGNED_OPERATOR_NEW
 };
 
-/// What is known of an arming of the trigger before it comes.
+/// What is known of an arming of the trigger in advance.
 struct Run {
   std::uint32_t pass = 0;  //!< of the scan, from 0
-  /// For the method of that name where the settings do not give one. None: no line at a constant
-  /// speed.
+  /// For constant_speed if the settings give no motion. None: not a line at a constant speed.
   std::optional<ConstantSpeed> motion;
 };
 
-/// What decides which frame gets which pose.
+/// Parameters that decide which frame gets which pose.
 struct Settings {
   Method method = Method::kInterpolate;  //!< how a pulse gets its pose
-  double max_pose_gap = 0.05;  //!< [s] between the poses around a pulse (to the pose: first pose)
-  double pose_settle = 0.02;   //!< [s] how far a pose may come behind a later one
-  double pose_delay = 0;       //!< [s] the poses are stamped too late by this
-  double camera_latency = 0.004;            //!< [s] frame's stamp - pulse, as expected
+  double max_pose_gap = 0.05;     //!< [s] between the poses around a pulse; first pose: to the pose
+  double pose_settle = 0.02;      //!< [s] how far a pose may arrive behind a later one
+  double pose_delay = 0;          //!< [s] by which the poses are stamped too late
+  double camera_latency = 0.004;  //!< [s] frame's stamp - pulse, as expected
   double latency_tolerance = 0.02;          //!< [s] at most; never above 0.45 of the pulse interval
-  int frames_to_agree = 3;                  //!< that fix the counter's offset
+  int frames_to_agree = 3;                  //!< frames that fix the counter's offset
   double max_acceleration = 10;             //!< [m/s^2] of the flange, for the error bound
   double max_speed = 1.5;                   //!< [m/s] of the flange, for the error bound
   std::size_t max_poses = 2'000'000;        //!< held in memory (170 bytes each)
-  std::size_t max_pending_frames = 20'000;  //!< that wait for pulses or poses
-  ConstantSpeed constant_speed;  //!< for that method alone; not given: as start_run() tells
+  std::size_t max_pending_frames = 20'000;  //!< waiting for pulses or poses
+  ConstantSpeed constant_speed;             //!< for that method only; not given: from start_run()
 
   EIGEN_MAKE_ALIGNED_OPERATOR_NEW
 };
 
-/// With range, unit and meaning of each, but for those of the constant speed.
+/// Adds each parameter with its range, unit and meaning, except those of constant_speed.
 void describe(scan_cell_common::ParameterTable& table, Settings& settings);
 
 /// @throw scan_cell_common::InvalidParameter naming what is out of range, or if the method's motion
-/// is not determined
+/// is not fully determined
 void check(const Settings& settings);
 
-/// @throw scan_cell_common::InvalidParameter if the motion is not determined
+/// @throw scan_cell_common::InvalidParameter if the motion is not fully determined
 void check(const ConstantSpeed& motion);
 
 /// @throw scan_cell_common::Refused, InvalidParameter if the settings' method cannot bind the run;
-/// a motion in the settings is that of pass 0
+/// a motion in the settings belongs to pass 0
 void check(const Run& run, const Settings& settings);
 
-/// Whether anything of it was given.
+/// Whether any part of it was given.
 bool is_given(const ConstantSpeed& motion);
 
 /// A frame with its pulse and pose.
 struct Match {
-  Rule rule = Rule::kOneToOne;                             //!< that made it
+  Rule rule = Rule::kOneToOne;                             //!< that made the match
   Pulse pulse;                                             //!< that exposed the frame
   std::uint32_t pass = 0;                                  //!< of the scan, from 0
   Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();  //!< of the flange at the pulse
   double time_to_before = 0;                               //!< [s] NaN: that pose was not used
   double time_to_after = 0;                                //!< [s] NaN: that pose was not used
   double position_error_bound = 0;                         //!< [m]
-  std::uint8_t laser = 0;                                  //!< index of the one that drew the line
+  std::uint8_t laser = 0;  //!< index of the laser that drew the line
 
   EIGEN_MAKE_ALIGNED_OPERATOR_NEW
 };
@@ -149,29 +148,29 @@ struct Match {
 /// A frame that is not bound, or a pulse whose frame never arrived.
 struct Drop {
   DropReason reason = DropReason::kNoTrigger;  //!< why
-  std::optional<std::size_t> frame;  //!< its number; none: the pulse's frame never arrived
-  std::uint64_t frame_counter = 0;   //!< the camera's, unwrapped
+  std::optional<std::size_t> frame;  //!< the frame's number; none: the pulse's frame never arrived
+  std::uint64_t frame_counter = 0;   //!< the camera's counter, unwrapped
   std::uint32_t arming = 0;          //!< of the pulse; 0: no pulse belongs to it
   std::uint64_t trigger_count = 0;   //!< 0: no pulse belongs to it
   std::string detail;                //!< for a person
 };
 
-/// What became of one frame.
+/// The decision about one frame.
 struct Decision {
-  std::size_t frame = 0;       //!< its number, as Binder::add_frame gave it
+  std::size_t frame = 0;       //!< number from Binder::add_frame()
   std::optional<Match> match;  //!< none: dropped
 
   EIGEN_MAKE_ALIGNED_OPERATOR_NEW
 };
 
-/// What became of every frame and every pulse.
+/// What happened to every frame and every pulse.
 ///
 /// frames = frames_bound + drops with a frame. A pulse has a bound frame, or is named by a drop,
 /// or is missing.
 struct Audit {
   Method method = Method::kInterpolate;      //!< of the scan
   std::uint64_t triggers = 0;                //!< pulses sent
-  std::uint64_t triggers_missing = 0;        //!< of them, not known to the binder
+  std::uint64_t triggers_missing = 0;        //!< sent but not known to the binder
   std::uint64_t triggers_refused = 0;        //!< dropped pulses: repeated or out of order
   std::uint64_t frames = 0;                  //!< received
   std::uint64_t poses = 0;                   //!< in the log
@@ -182,13 +181,13 @@ struct Audit {
   std::uint64_t by_rule[6] = {};             //!< bound frames by Rule
   double worst_time_to_pose = 0;             //!< [s] from a pulse to the nearest pose used
   double worst_position_error = 0;           //!< [m] greatest position_error_bound
-  double latency = 0;  //!< [s] frame's stamp - pulse, as measured; NaN where nothing was bound
-  bool latency_doubtful = false;     //!< frames and pulses overhang at opposite ends of the scan
+  double latency = 0;  //!< [s] frame's stamp - pulse, as measured; NaN if nothing was bound
+  bool latency_doubtful = false;     //!< unmatched frames and pulses at opposite ends of the scan
   std::uint64_t slips = 0;           //!< times the counter's offset changed within an acquisition
-  std::uint64_t poses_repeated = 0;  //!< dropped: a pose with that time was there
-  std::uint64_t poses_late = 0;      //!< dropped: further behind than pose_settle
-  std::uint64_t poses_unusable = 0;  //!< dropped: not finite, or no rotation
-  std::vector<Drop> dropped;         //!< in the order of the frames' arrival, then of the pulses
+  std::uint64_t poses_repeated = 0;  //!< dropped: a pose of the same time was already there
+  std::uint64_t poses_late = 0;      //!< dropped: arrived further behind than pose_settle
+  std::uint64_t poses_unusable = 0;  //!< dropped: not finite, or not a rotation
+  std::vector<Drop> dropped;         //!< by arrival of the frames, then by pulse
 };
 
 }  // namespace pose_frame_binder

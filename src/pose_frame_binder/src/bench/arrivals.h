@@ -14,12 +14,12 @@
 
 namespace pose_frame_binder {
 
-/// Counts what arrives (points, profiles) and when, in its own thread.
+/// Records how many things (points, profiles) arrive and when, in its own thread.
 class Arrivals {
  public:
   struct Arrival {
     Instant time;
-    std::uint64_t count;  // with all before it
+    std::uint64_t count;  // including all before it
   };
 
   template <class Message, class Count>
@@ -40,7 +40,7 @@ class Arrivals {
 
   bool subscribed() const { return subscriber_.getNumPublishers() > 0; }
 
-  /// @return whether that many arrived without a pause of two seconds
+  /// @return whether that many arrived with no pause of two seconds
   bool wait(std::uint64_t count) const;
 
   std::uint64_t count() const { return count_; }
@@ -61,7 +61,7 @@ struct Latency {
   double median = 0, p99 = 0, worst = 0, last = 0;
 };
 
-/// @param per_profile counted things per profile
+/// @param per_profile number of counted things per profile
 /// @throw scan_cell_common::Refused if not all arrived
 Latency latency_of(const std::vector<Instant>& sent, const std::vector<Arrivals::Arrival>& arrivals,
                    std::uint64_t per_profile);

@@ -1,6 +1,5 @@
-// Copyright 2026 the scan cell developers
-// SPDX-License-Identifier: BSD-3-Clause
-// Wrong pairings in a million frames with faults, compared with simpler methods on the same frames.
+// Copyright 2026 the scan cell developers SPDX-License-Identifier: BSD-3-Clause Counts wrong
+// pairings in a million frames with faults, compared with simpler methods on the same frames.
 #include <malloc.h>
 
 #include <CLI/CLI.hpp>
@@ -41,7 +40,7 @@ TimedPose to_pose(const FaultyPose& faulty) {
   return pose;
 }
 
-/// All that the scan sends, in the order of its arrival.
+/// Feeds all that the scan sends, in order of arrival.
 Run bind(const FaultyScan& scan) {
   Settings settings;
   settings.max_poses = kPosesAllowed;
@@ -88,7 +87,7 @@ bool is_right(const FaultyScan& scan, const Decision& decision) {
          std::abs(decision.match->pose.translation().x() - x) < kExact;
 }
 
-/// Frames whose laser is another than the one that was lit as they were exposed.
+/// Counts frames bound to another laser than the one that was on during their exposure.
 std::size_t count_wrong_lasers(const FaultyScan& scan, const Run& run) {
   std::size_t wrong = 0;
   for (const Decision& decision : run.decisions) {
@@ -100,7 +99,7 @@ std::size_t count_wrong_lasers(const FaultyScan& scan, const Run& run) {
   return wrong;
 }
 
-/// What of the books does not balance: frames, pulses and what became of them.
+/// Counts frames and pulses that the audit does not account for.
 std::size_t count_unaccounted(const FaultyScan& scan, const Run& run) {
   const Audit& audit = run.audit;
   std::size_t wrong = 0;
@@ -134,8 +133,8 @@ struct Plain {
   std::size_t by_stamp = 0;
 };
 
-/// By counter: the distance from the first frame of each acquisition and arming, whose pulse is
-/// given. By stamp: the pulse nearest to stamp - 4 ms. Neither takes a frame twice.
+/// By counter: the offset from the first frame of each acquisition and arming, whose pulse is
+/// given. By stamp: the pulse nearest to stamp - 4 ms. Neither uses a frame twice.
 Plain pair_plainly(const FaultyScan& scan) {
   Plain wrong;
   std::pair<std::uint32_t, std::uint32_t> part{0, 0};
@@ -156,7 +155,7 @@ Plain pair_plainly(const FaultyScan& scan) {
       last_counter = counter;
       wrong.by_counter += counter - offset != faulty.pulse;
     }
-    constexpr Nanoseconds kLatency = 4'000'000;  // [ns] as the scan's, without its drift
+    constexpr Nanoseconds kLatency = 4'000'000;  // [ns] that of the scan, without its drift
     const Nanoseconds instant = frame.stamp - kLatency;
     const auto after = std::lower_bound(
         scan.pulses.begin(), scan.pulses.end(), instant,
@@ -207,8 +206,9 @@ void bench_pairings(const char* name, const tecnogamma_camera::CounterRule& rule
       static_cast<double>(run.memory) / static_cast<double>(scan.frames.size()));
 }
 
-/// After each restart of the counter the latency is proved anew, by pulses that were left out: many
-/// frames are dropped until then. So also without what makes it restart.
+/// After each restart of the counter the latency must be proved again, by pulses that were left
+/// out, and many frames are dropped until then. So this is also run without the faults that restart
+/// it.
 void bench_alternating(const tecnogamma_camera::CounterRule& rule, bool restarts, unsigned seed) {
   FaultShares shares;
   if (!restarts) shares.restart = shares.garbled_counter = shares.wrong_counter = 0;

@@ -1,7 +1,6 @@
-// Copyright 2026 the scan cell developers
-// SPDX-License-Identifier: BSD-3-Clause
-// Profiles through the running binder and triangulation, under their own ROS master: as nodelets in
-// one process and as nodes; compared with two nodes that only pass the profiles on.
+// Copyright 2026 the scan cell developers SPDX-License-Identifier: BSD-3-Clause Sends profiles
+// through the running binder and triangulation, under their own ROS master, as nodelets in one
+// process and as nodes, and compares with two nodes that only pass the profiles on.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>

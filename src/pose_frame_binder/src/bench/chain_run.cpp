@@ -29,7 +29,7 @@ constexpr double kMilliseconds = 1e3;  // [ms] in a second
 constexpr double kPercent = 100;
 constexpr double kPointSize = sizeof(laser_triangulation::ScanPoint) / 1e6;  // [MB]
 
-/// Usage of the processes, and the part of it that sends and counts.
+/// Usage of the processes, and the share of the thread that sends and counts.
 struct Sample {
   Usage usage;
   double own_cpu = 0;  // [s]
@@ -37,7 +37,7 @@ struct Sample {
   Instant time;
 };
 
-/// Feeds all frames; samples after a sixth of the time and at the end.
+/// Feeds all frames; takes samples after a sixth of the time and at the end.
 template <class Take>
 std::pair<Sample, Sample> feed(ProfileFeeder& feeder, const Pace& pace, const Take& take) {
   feeder.start();
@@ -75,7 +75,7 @@ void print_usage(const std::pair<Sample, Sample>& samples, double point_size) {
       end.usage.memory - end.points * point_size);
 }
 
-/// Ends the scan of a fed chain.
+/// How the scan of a fed chain ended.
 struct Ended {
   scan_cell_msgs::BindingAudit audit;
   scan_cell_msgs::FinishCloud::Response cloud;
@@ -94,7 +94,7 @@ Ended finish(const Pace& pace) {
   cloud.partial = true;
   ended.cloud = call<scan_cell_msgs::FinishCloud>("/triangulation/finish", cloud);
   if (!ended.cloud.file.empty())
-    std::filesystem::remove(ended.cloud.file);  // the cloud, too large to answer
+    std::filesystem::remove(ended.cloud.file);  // the cloud, if too large for the answer
   return ended;
 }
 

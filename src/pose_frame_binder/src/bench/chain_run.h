@@ -9,15 +9,15 @@
 namespace pose_frame_binder {
 
 /// Feeds binder and triangulation and prints the result.
-/// @param program path of this program; the nodes are beside it
+/// @param program path of this program; the nodes are in the same folder
 /// @param kind "nodelets": in this process; "nodes": each in its own
 /// @return exit code
 int run_chain(const std::string& program, const std::string& kind, const Pace& pace);
 
-/// The yardstick: the same profiles through two nodes that pass them on.
+/// The baseline: the same profiles through two nodes that only pass them on.
 int run_relays(const std::string& program, const Pace& pace);
 
-/// Runs such a node until it is stopped.
+/// Runs one of these nodes until it is stopped.
 int relay(const std::string& from, const std::string& to);
 
 }  // namespace pose_frame_binder

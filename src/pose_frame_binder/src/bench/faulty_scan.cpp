@@ -37,7 +37,7 @@ class Chance {
 struct WireFrame {
   std::uint64_t raw_counter = 0;
   Nanoseconds stamp = 0;
-  bool told_restart = false;  //!< the camera reconnected before it
+  bool told_restart = false;  //!< the camera reconnected before this frame
   bool corrupt = false;
   std::int64_t pulse = -1;
 };
@@ -45,7 +45,7 @@ struct WireFrame {
 void make_pulses(std::size_t count, const FaultShares& shares, bool alternate, Chance& chance,
                  std::vector<FaultyPulse>& pulses) {
   constexpr std::size_t kArming = 20000;
-  constexpr std::size_t kSlowStart = 4;  // as the trigger has it
+  constexpr std::size_t kSlowStart = 4;  // as in the trigger
   constexpr double kRates[] = {100, 485, 50, 200};
   double time = 0;  // [ns]
   for (std::size_t i = 0; i < count; ++i) {
@@ -139,7 +139,7 @@ class Camera {
         frame.raw_counter = rule_.first + chance_.bits() % period;
       return true;
     }
-    // Only one of them is wrong: nobody can detect counter and stamp wrong together.
+    // Only one of them is wrong: a wrong counter with a matching wrong stamp cannot be detected.
     if (chance_.hit(shares_.wrong_counter)) {
       const auto by = static_cast<std::uint64_t>(chance_.uniform(1, 100));
       frame.raw_counter = rule_.first + (frame.raw_counter - rule_.first + by) % period;
@@ -185,7 +185,7 @@ void disorder(std::vector<WireFrame>& wire, double share, Chance& chance, Faulty
 }
 
 /// Numbers the frames as the camera's acquisition does: a counter that goes back while the device's
-/// clock goes on means that it was restarted.
+/// clock continues means that it was restarted.
 class Numbering {
  public:
   explicit Numbering(const CounterRule& rule) : unwrapper_(rule) {}

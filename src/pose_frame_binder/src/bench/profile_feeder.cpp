@@ -92,8 +92,8 @@ void ProfileFeeder::feed() {
   }
 }
 
-/// [s] after the begin: the first intervals are twice as long, as the trigger does where lasers
-/// take turns.
+/// Time of a pulse [s] after the start. The first intervals are twice as long, as from the trigger
+/// when lasers alternate.
 double ProfileFeeder::time_of(std::uint64_t pulse) const {
   constexpr std::uint64_t kLong = 4;  // intervals; docs/laser_trigger.md
   return static_cast<double>(pulse + std::min(pulse, kLong)) / pace_.rate;

@@ -32,9 +32,9 @@ class ProfileFeeder {
   ~ProfileFeeder();
 
   void start();
-  bool profiles_heard() const;  ///< they have a subscriber
+  bool profiles_heard() const;  /// < whether /profiles has a subscriber
   bool all_heard() const;
-  bool done() const { return done_; }  ///< the last frame was sent
+  bool done() const { return done_; }  /// < whether the last frame was sent
 
   /// When each profile was published; read it when done.
   const std::vector<Instant>& sent() const { return sent_; }

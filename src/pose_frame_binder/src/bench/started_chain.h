@@ -42,10 +42,10 @@ typename Service::Response call(const std::string& name, typename Service::Reque
   return response;
 }
 
-/// Binder and triangulation with a scan under way, in this process or each in its own.
+/// Binder and triangulation with a scan in progress, in this process or each in its own.
 class StartedChain {
  public:
-  /// @param program path of the bench: the nodes are beside it
+  /// @param program path of the bench; the nodes are in the same folder
   /// @throw scan_cell_common::Refused if one does not start
   StartedChain(const std::string& program, bool nodelets);
 

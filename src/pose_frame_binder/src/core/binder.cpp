@@ -200,7 +200,7 @@ void Binder::bind() {
 void Binder::count(const Match& match) {
   ++counts_.frames_bound;
   ++counts_.by_rule[static_cast<int>(match.rule)];
-  // The nearest pose that was used; fmin skips the one that was not.
+  // The nearest pose used; fmin skips a pose that was not used.
   counts_.worst_time_to_pose =
       std::max(counts_.worst_time_to_pose, std::fmin(match.time_to_before, match.time_to_after));
   counts_.worst_position_error = std::max(counts_.worst_position_error, match.position_error_bound);

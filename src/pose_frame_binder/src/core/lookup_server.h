@@ -17,7 +17,7 @@ struct LookupLimits {
   double idle_time = 60;       //!< [s] without a byte, after which a client is disconnected
 };
 
-/// Answers lines over TCP: a line in, a line out. A line ends with LF, CR LF or a zero byte.
+/// Answers lines over TCP: one line in, one line out. A line ends with LF, CR LF or a zero byte.
 class LookupServer {
  public:
   using Answer = std::function<std::string(std::string_view line)>;

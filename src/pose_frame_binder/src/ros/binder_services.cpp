@@ -21,7 +21,7 @@ BinderServices::BinderServices(ros::NodeHandle node, ros::NodeHandle private_nod
       lookup_(parameters.lookup),
       diagnostics_(node, private_node, private_node.getNamespace()) {
   constexpr std::uint32_t kBound = 20000;     // messages, as max_pending_frames; chosen
-  constexpr std::uint32_t kUnbounded = 0;     // messages: no data are discarded unread
+  constexpr std::uint32_t kUnbounded = 0;     // messages: no data is discarded unread
   constexpr double kDiagnosticsPeriod = 0.2;  // [s] chosen
   bound_ = private_node.advertise<scan_cell_msgs::BoundProfile>("bound_profiles", kBound);
   audit_ = private_node.advertise<scan_cell_msgs::BindingAudit>("audit", 1, true);
@@ -95,7 +95,7 @@ bool BinderServices::start(StartScan::Request& request, StartScan::Response& res
 
 bool BinderServices::check_run(StartRun::Request& request, StartRun::Response& response) {
   return scan_cell_common::answer(response, [&] {
-    const auto anywhere = Eigen::Isometry3d::Identity();  // the same is good wherever the base is
+    const auto anywhere = Eigen::Isometry3d::Identity();  // the check holds wherever the base is
     check(run_from(request.run, parameters_.frames, anywhere), parameters_.settings);
   });
 }
@@ -120,8 +120,8 @@ void BinderServices::wait_for_all(std::unique_lock<std::mutex>& lock, std::uint6
     return binder.whole(triggers) || !failure_.empty() || !ros::ok();
   };
   finishing_ = true;
-  // Poses arrive as long as the robot is there, and frames as long as a camera runs free; they do
-  // not mean that pulses will arrive.
+  // Poses arrive as long as the robot runs, and frames as long as a camera runs free; neither means
+  // that pulses will arrive.
   std::uint64_t most = 0;
   do {
     most = std::max(most, scan_->binder().progress());

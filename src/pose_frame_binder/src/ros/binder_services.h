@@ -22,11 +22,11 @@
 
 namespace pose_frame_binder {
 
-/// The binder's topics and services. Data are received in their own thread, so that they arrive
-/// while ~finish waits for them.
+/// The binder's topics and services. Data is received in its own thread, so that it arrives while
+/// ~finish waits for it.
 class BinderServices {
  public:
-  /// @param node its queue serves no topic with data
+  /// @param node handle whose queue serves no topic with data
   BinderServices(ros::NodeHandle node, ros::NodeHandle private_node, const Parameters& parameters);
 
  private:

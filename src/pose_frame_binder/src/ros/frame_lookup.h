@@ -19,7 +19,7 @@ struct LookupParameters {
   LookupLimits limits;
 };
 
-/// The thesis' lookup over TCP: which pose belongs to a frame of the scan that was finished last.
+/// The thesis' lookup over TCP: the pose of a frame of the scan finished last.
 class FrameLookup {
  public:
   /// @throw scan_cell_common::ConnectionError if the port cannot be opened
@@ -36,7 +36,7 @@ class FrameLookup {
 
   std::mutex mutex_;
   PoseTable finished_;
-  std::unique_ptr<LookupServer> server_;  // last: ends before what it uses
+  std::unique_ptr<LookupServer> server_;  // last member, so that it ends before what it uses
 };
 
 }  // namespace pose_frame_binder

@@ -14,7 +14,7 @@ struct Parameters {
   double transform_timeout = 2;  //!< [s]
 };
 
-/// With range, unit and meaning of each.
+/// Adds each parameter with its range, unit and meaning.
 void describe(scan_cell_common::ParameterTable& table, Parameters& parameters);
 
 }  // namespace pose_frame_binder

@@ -45,7 +45,7 @@ BoundProfileConstPtr to_message(const PeakProfile& profile, const Match& match,
   return message;
 }
 
-/// NaN if the quaternion is not of unit length: one of zeros would become the identity.
+/// Returns NaN if the quaternion is not of unit length: one of zeros would become the identity.
 Eigen::Isometry3d pose_of(const geometry_msgs::Transform& transform) {
   if (scan_cell_common::is_unit(from_ros(transform.rotation))) return from_ros(transform);
   Eigen::Isometry3d none;

@@ -16,15 +16,15 @@
 
 namespace pose_frame_binder {
 
-/// Names of the frames of the poses.
+/// Names of the poses' frames.
 struct Frames {
   std::string fixed = "world";
   std::string base = "base_link";
   std::string flange = "tool0";
 };
 
-/// With the meaning of each. Refuses a name that is empty or begins with a slash: no transform
-/// would ever match it.
+/// Adds each parameter with its meaning. Refuses a name that is empty or begins with a slash: no
+/// transform would ever match it.
 void describe(scan_cell_common::ParameterTable& table, Frames& frames);
 
 /// Binder for messages: profiles in, profiles with a pose out.
@@ -35,12 +35,12 @@ class ProfileBinder {
   ProfileBinder(const Settings& settings, const Frames& frames,
                 const Eigen::Isometry3d& fixed_to_base);
 
-  /// Tells of the next arming, as Binder::start_run().
+  /// Announces the next arming, as Binder::start_run().
   /// @throw as run_from() and Binder::start_run()
   void start_run(const scan_cell_msgs::ScanRun& run);
 
-  /// Takes the transforms from base to flange among these.
-  /// @throw scan_cell_common::Refused if the memory allowed is full
+  /// Takes from these the transforms from base to flange.
+  /// @throw scan_cell_common::Refused if the allowed memory is full
   void add(const tf2_msgs::TFMessage& transforms);
   void add(const scan_cell_msgs::TriggerEvent& event);
   void add(const scan_cell_msgs::PeakProfileConstPtr& profile);
@@ -48,8 +48,8 @@ class ProfileBinder {
   Binder& binder() { return binder_; }
   const Binder& binder() const { return binder_; }
 
-  /// Profiles bound since the last call, in the order of the frames; shared, to publish without a
-  /// copy.
+  /// Profiles bound since the last call, in the order of the frames; shared, to be published
+  /// without a copy.
   std::vector<scan_cell_msgs::BoundProfileConstPtr> take();
 
  private:
@@ -59,16 +59,16 @@ class ProfileBinder {
   std::map<std::size_t, scan_cell_msgs::PeakProfileConstPtr> waiting_;
 };
 
-/// What is told of the next arming.
+/// Converts the announcement of the next arming.
 /// @param fixed_to_base pose of the base in the fixed frame
-/// @throw scan_cell_common::Refused if its poses are in another frame, or are none
+/// @throw scan_cell_common::Refused if its poses are in another frame or invalid
 Run run_from(const scan_cell_msgs::ScanRun& run, const Frames& frames,
              const Eigen::Isometry3d& fixed_to_base);
 
-/// With range, unit and meaning of each. Poses are taken as pose_from() takes them.
+/// Adds each parameter with its range, unit and meaning. Poses are read as by pose_from().
 void describe(scan_cell_common::ParameterTable& table, ConstantSpeed& motion);
 
-/// A pose from x, y, z [m], qx, qy, qz, qw, as parameters give it.
+/// A pose from x, y, z [m], qx, qy, qz, qw, as given by parameters.
 /// @throw scan_cell_common::InvalidParameter naming `name` if it is not a pose
 Eigen::Isometry3d pose_from(const std::string& name, const std::vector<double>& numbers);
 
@@ -79,7 +79,7 @@ std::string find_fault(const scan_cell_msgs::PeakProfile& profile);
 scan_cell_msgs::BindingAudit to_message(const Audit& audit, const std::string& scan_id,
                                         const ros::Time& stamp);
 
-/// For a person: how many frames were bound, and what became of the others.
+/// For a person: how many frames were bound, and what happened to the others.
 std::string summary(const Audit& audit);
 
 }  // namespace pose_frame_binder

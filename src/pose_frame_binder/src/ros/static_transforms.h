@@ -11,14 +11,14 @@
 
 namespace pose_frame_binder {
 
-/// The static transforms, from /tf_static.
+/// The static transforms of /tf_static.
 class StaticTransforms {
  public:
   explicit StaticTransforms(ros::NodeHandle node);
 
   /// Pose of `child` in `parent`.
   /// @param timeout [s] to wait for it
-  /// @throw scan_cell_common::Refused if nothing static links them
+  /// @throw scan_cell_common::Refused if no static transforms connect them
   Eigen::Isometry3d look_up(const std::string& parent, const std::string& child,
                             double timeout) const;
 

@@ -18,12 +18,12 @@ struct BagTopics {
   std::string poses = "/tf";
 };
 
-/// @throw scan_cell_common::FileError if it cannot be opened
+/// @throw scan_cell_common::FileError if the bag cannot be opened
 void open(rosbag::Bag& bag, const std::string& path, rosbag::bagmode::BagMode mode);
 
-/// Feeds the whole bag to the binder, as one scan.
+/// Feeds the whole bag to the binder as one scan.
 /// @param after_each called after each message
-/// @throw scan_cell_common::FileError where the bag is damaged
+/// @throw scan_cell_common::FileError if the bag is damaged
 void feed(const rosbag::Bag& bag, const BagTopics& topics, ProfileBinder& scan,
           const std::function<void()>& after_each);
 

@@ -28,7 +28,8 @@ struct Options {
   scan_cell_common::ParameterOptions typed;
 };
 
-/// Points in the frame of the flange, poses in that of the base: static transforms do not matter.
+/// Reads points in the flange's frame and poses in the base's frame, so that static transforms do
+/// not matter.
 UnboundScan read(const std::string& path, const Options& options) {
   rosbag::Bag bag;
   open(bag, path, rosbag::bagmode::Read);

@@ -28,7 +28,7 @@ def transform(parent, child, seconds, xyz, q=(0, 0, 0, 1)):
 
 
 def poses(count):
-    """Every 4 ms from before the first pulse to after the last."""
+    """Poses every 4 ms from before the first pulse to after the last."""
     times = [-0.05 + 0.004 * i for i in range(int((count * PERIOD + 0.2) / 0.004))]
     return [transform('base_link', 'tool0', t, (0.5, SPEED * t, 0.7)) for t in times]
 

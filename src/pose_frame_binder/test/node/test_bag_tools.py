@@ -26,8 +26,8 @@ lasers:
 
 
 def write_scan_of_waves(bag, direction, delay):
-    """A surface z = 8 mm sin(60 x) under a flange that looks down from 0.7 m and goes along x, and
-    whose poses are stamped late. The line is met by bisection."""
+    """A surface z = 8 mm sin(60 x) under a flange that looks down from 0.7 m and moves along x, with
+    poses that are stamped late. The line is found by bisection."""
     speed, rate, length = 0.1, 100.0, 0.15
 
     def flange(t):

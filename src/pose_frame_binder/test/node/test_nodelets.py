@@ -92,7 +92,7 @@ class Nodelets(unittest.TestCase):
                      name + ' is not subscribed')
 
     def finish(self, chain, frames, answers):
-        """As the cell does, and before the data: the calls wait for them."""
+        """As the cell does, and before the data, for which the calls wait."""
         cloud = threading.Thread(target=lambda: answers.update({(chain, 'cloud'): self.call[
             chain, 'triangulation/finish'](frames, rospy.Duration(30), False)}))
         cloud.start()
@@ -149,7 +149,7 @@ class Nodelets(unittest.TestCase):
         waiting = threading.Thread(target=self.call['nodelets', 'binder/finish'],
                                    args=(1, rospy.Duration(5)))
         waiting.start()
-        for _ in range(20):  # the first may come before the call that waits
+        for _ in range(20):  # the first may arrive before the call that waits
             self.assertFalse(self.call['nodelets', 'triangulation/finish'](
                 1, rospy.Duration(0), False).success)
         self.assertTrue(waiting.is_alive())

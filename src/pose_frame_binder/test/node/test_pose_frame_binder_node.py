@@ -20,7 +20,7 @@ from tf2_msgs.msg import TFMessage
 
 from scan_messages import LATENCY, PERIOD, SPEED, events, poses, profiles, stamp, transform
 
-# Where the binder's diagnostics count what it took of each topic.
+# Where the binder's diagnostics count the messages of each topic.
 COUNTS = {'poses': ('poses', 'poses late', 'poses repeated', 'poses unusable'),
           'events': ('pulses', 'pulses refused'), 'profiles': ('frames',)}
 
@@ -40,7 +40,7 @@ class PoseFrameBinderNode(unittest.TestCase):
             'events': rospy.Publisher('/laser_trigger/events', TriggerEvent, queue_size=10000),
             'profiles': rospy.Publisher('/camera/profiles', PeakProfile, queue_size=10000)}
         cls.static = rospy.Publisher('/tf_static', TFMessage, queue_size=1, latch=True)
-        # The base is turned by 90 degrees about z and stands at x = -1 in the world.
+        # The base is rotated by 90 degrees about z and stands at x = -1 in the world.
         half = 0.5 ** 0.5
         cls.static.publish(transform('world', 'base_link', 0, (-1, 0, 0), (0, 0, half, half)))
         for node in ('binder', 'lost_binder'):
@@ -54,7 +54,7 @@ class PoseFrameBinderNode(unittest.TestCase):
             time.sleep(0.01)
 
     def wait_for_counts(self, names, count, since):
-        """Until the binder's diagnostics say that it took so many."""
+        """Waits until the binder's diagnostics report this number of messages."""
         end = time.time() + 60
         while True:
             for array in list(self.diagnostics):
@@ -65,7 +65,7 @@ class PoseFrameBinderNode(unittest.TestCase):
             time.sleep(0.01)
 
     def publish(self, data, order):
-        """Topic after topic."""
+        """Publishes one topic after the other."""
         since = rospy.Time.now()
         for name in order:
             for message in data[name]:
@@ -90,7 +90,7 @@ class PoseFrameBinderNode(unittest.TestCase):
         return self.with_bound(finished[0])
 
     def scan_with_gaps(self, data, order, triggers):
-        """All data come first, since ~finish waits in vain for what is missing."""
+        """Sends all data first, since ~finish would wait in vain for what is missing."""
         del self.bound[:]
         self.assertTrue(self.start('scan').success)
         self.publish(data, order)
@@ -171,7 +171,7 @@ class PoseFrameBinderNode(unittest.TestCase):
         self.assertEqual(answer.audit.frames_bound + len(answer.audit.dropped), 60)
 
     def test_waits_as_long_as_frames_keep_coming(self):
-        """A camera that is behind by more than the patience, but still sends."""
+        """A camera that is late by more than the patience, but still sends."""
         count, pace, patience = 60, 0.1, 2.0
         del self.bound[:]
         self.assertTrue(self.start('scan').success)
@@ -190,7 +190,7 @@ class PoseFrameBinderNode(unittest.TestCase):
         self.assertEqual(answer.audit.frames_bound, count)
 
     def test_does_not_wait_for_a_camera_that_runs_free(self):
-        """One pulse has no frame, and frames that no pulse exposed keep coming."""
+        """One pulse has no frame, and frames that no pulse exposed keep arriving."""
         count, patience = 20, 0.5
         data = {'poses': poses(count), 'events': events(count),
                 'profiles': profiles(count, lost=(7,))}

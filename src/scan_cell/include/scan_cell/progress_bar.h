@@ -6,11 +6,11 @@
 
 namespace scan_cell {
 
-/// Shows on stderr how a long work goes on: one line that is drawn anew on a terminal, or else a
+/// Shows the progress of long work on stderr: on a terminal one line that is redrawn, otherwise a
 /// line for each tenth.
 class ProgressBar {
  public:
-  /// @param title stands in front of the bar
+  /// @param title shown in front of the bar
   explicit ProgressBar(const std::string& title);
 
   /// Ends the line.

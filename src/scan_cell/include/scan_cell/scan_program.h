@@ -9,7 +9,7 @@
 
 namespace scan_cell {
 
-/// Passes to scan, as people keep them in a YAML file:
+/// Passes to scan, in the form of a YAML file:
 ///
 ///     frame: world                 # of the poses
 ///     passes:
@@ -25,19 +25,19 @@ namespace scan_cell {
 ///           region: {x: 336, y: 599, width: 1024, height: 512}   # [px] of the sensor
 ///           detector: fir_derivative   # of the camera's node
 ///
-/// In place of `line`: `arc` with start, via and end, or `poses` with a list. A file with start,
-/// end, speed, rate and laser in place of `passes` is one line.
+/// Instead of `line`: `arc` with start, via and end, or `poses` with a list. A file with start,
+/// end, speed, rate and laser instead of `passes` is one line.
 struct ScanProgram {
   std::string frame;             //!< of the poses
   std::vector<ScanPass> passes;  //!< poses in `frame`
 };
 
 /// @throw scan_cell_common::FileError if the file is missing or not YAML
-/// @throw scan_cell_common::UnusableInput naming the entry that is missing or makes no sense
+/// @throw scan_cell_common::UnusableInput naming the entry that is missing or invalid
 ScanProgram load_scan_program(const std::string& path);
 
-/// Writes it as load_scan_program() reads it, to the last digit; whole or not at all.
-/// @param program with passes that check() takes
+/// Writes a program as load_scan_program() reads it, to the last digit; whole or not at all.
+/// @param program with passes that check() accepts
 /// @throw scan_cell_common::FileError if it cannot be written
 void save_scan_program(const std::string& path, const ScanProgram& program);
 

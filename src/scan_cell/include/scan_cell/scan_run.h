@@ -16,31 +16,31 @@ namespace scan_cell {
 /// Where a motion goes.
 struct MoveTarget {
   Eigen::Isometry3d flange = Eigen::Isometry3d::Identity();  //!< tool0, in the frame of the passes
-  std::optional<Eigen::Isometry3d> via;  //!< on the arc to it; none: it goes along a line
+  std::optional<Eigen::Isometry3d> via;  //!< on the arc to it; none: along a line
 };
 
-/// Which lasers burn while the camera is pulsed.
+/// Which lasers are on while the camera is pulsed.
 struct Lighting {
   std::uint8_t lasers = 0;  //!< bit mask, TriggerEvent.LASER_*
   bool alternate = false;   //!< both take turns, pulse by pulse, laser_0 first
   double exposure = 0;      //!< [s] of the camera; 0: not known
 };
 
-/// Once along a pass with one setting of the lasers: the trigger is armed once.
+/// One motion along a pass with one setting of the lasers: the trigger is armed once.
 struct ScanRun {
   std::size_t pass = 0;           //!< from 0
   std::string name;               //!< of the pass, for a person
-  bool approach = true;           //!< it does not begin where the run before it ends
+  bool approach = true;           //!< the run before ends elsewhere
   Eigen::Isometry3d start;        //!< of the flange
-  std::vector<MoveTarget> moves;  //!< from there on, one after the other
+  std::vector<MoveTarget> moves;  //!< from the start on, one after the other
   double speed = 0;               //!< [m/s]
   double rate = 0;                //!< [Hz]
   Lighting lighting;              //!< while it moves
   PassCamera camera;              //!< its settings
 };
 
-/// A pass with each laser is two runs, there and back.
-/// @param passes that check() takes
+/// Splits passes into runs. A pass with each laser is two runs, there and back.
+/// @param passes that check() accepts
 std::vector<ScanRun> runs_of(const std::vector<ScanPass>& passes);
 
 }  // namespace scan_cell

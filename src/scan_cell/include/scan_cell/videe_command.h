@@ -21,7 +21,7 @@ enum class VideeCommandKind {
   kReset,
 };
 
-/// One command as it came over the wire. docs/videe_protocol.md describes the lines.
+/// One command as received. docs/videe_protocol.md describes the lines.
 struct VideeCommand {
   VideeCommandKind kind = VideeCommandKind::kReset;  //!< which command
   std::vector<Eigen::Isometry3d>
@@ -29,14 +29,14 @@ struct VideeCommand {
 };
 
 /// @param line without its line end
-/// @throw scan_cell_common::ProtocolError if it is no command, or its arguments make no sense
+/// @throw scan_cell_common::ProtocolError if it is not a command, or its arguments are invalid
 VideeCommand parse_videe(const std::string& line);
 
 /// Pose from "x,y,z,rx,ry,rz": millimetres, and degrees about the fixed axes x, then y, then z.
 /// @throw scan_cell_common::ProtocolError if it is not six numbers within a million
 Eigen::Isometry3d pose_from_wire(const std::string& text);
 
-/// The other way. ry lies from -90 to 90 degrees; at its ends rx is 0.
+/// The reverse. ry is from -90 to 90 degrees; at these ends rx is 0.
 std::string pose_to_wire(const Eigen::Isometry3d& pose);
 
 }  // namespace scan_cell

@@ -18,8 +18,7 @@ int main(int argc, char** argv) {
       "Directs the cell: the actions of a scan, of a calibration and of the work.", [] {
         ros::NodeHandle node("~");
         const auto parameters = scan_cell_common::load_parameters<scan_cell::Parameters>(node);
-        constexpr int kThreads =
-            4;  // goals and cancels are heard while a service call is under way
+        constexpr int kThreads = 4;  // goals and cancels are received during a service call
         ros::AsyncSpinner spinner(kThreads);
         scan_cell::CellDevices devices(node, parameters);
         scan_cell::CellInUse cell;

@@ -23,7 +23,7 @@ struct Options {
   tool_path_programs::ExportOptions exported;
 };
 
-/// The adapted path as a robot's program.
+/// Writes the adapted path as a robot program.
 void write_program(const Options& options) {
   const std::filesystem::path folder(options.files.output);
   tool_path_programs::PathToExport files;

@@ -25,7 +25,7 @@ struct Options {
   double timeout = 10;
 };
 
-/// The cell's working directory is not this one.
+/// Makes a path absolute, since the cell's working directory is another one.
 void make_absolute(std::string& path) {
   if (!path.empty()) path = std::filesystem::absolute(path).lexically_normal().string();
 }
@@ -52,7 +52,7 @@ void tell(const char* views, const scan_cell_msgs::CalibrationFigures& figures) 
   std::printf("\n");
 }
 
-/// Says what was recorded and found.
+/// Prints what was recorded and found.
 void tell(const scan_cell_msgs::CalibrateGoal& goal, const CalibrateResult& result) {
   for (const std::string& pose : result.skipped)
     std::printf("skipped: %s\n", pose.c_str());

@@ -11,8 +11,8 @@
 
 namespace {
 
-/// @throw Refused if the cell could not scan it, naming the pass
-/// @throw ConnectionError if nobody knows
+/// @throw Refused if the cell could not scan the program, naming the pass
+/// @throw ConnectionError if that cannot be found out
 void check(const std::string& file, const std::string& cell, double timeout) {
   const scan_cell::ScanProgram program = scan_cell::load_scan_program(file);
   const scan_cell_msgs::ScanGoal goal = scan_cell::scan_goal(program, "");

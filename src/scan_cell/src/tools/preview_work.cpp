@@ -20,7 +20,7 @@ std::string slowest_place(const scan_cell_msgs::WorkPreview& preview) {
   return tool_path_programs::place_on_path(waypoints, preview.slowest_waypoint, 1);
 }
 
-/// As scan_cell's ~preview_work says it. @return the process's exit code
+/// Prints the answer of scan_cell's ~preview_work. @return the process's exit code
 int preview(const scan_cell::WorkOptions& options) {
   const scan_cell::CellClient client(ros::NodeHandle(), {});
   const auto answer = client.preview(goal_of(options), options.timeout);

@@ -11,7 +11,7 @@
 
 namespace {
 
-/// @throw Refused if the robot moves, or the file is no file of poses
+/// @throw Refused if the robot moves, or the file is not a file of poses
 void record(const std::string& file, const std::string& cell, double timeout) {
   scan_cell_msgs::RecordPose::Request request;
   request.file = std::filesystem::absolute(file).lexically_normal().string();

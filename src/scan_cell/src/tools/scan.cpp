@@ -40,7 +40,7 @@ void save(const std::string& path, const sensor_msgs::PointCloud2& message,
   std::printf("%s: %zu points\n", path.c_str(), cloud.size());
 }
 
-/// Says how the scan ended and saves what it captured.
+/// Prints how the scan ended and saves what it captured.
 void tell(const Options& options, const scan_cell_msgs::ScanResult& result) {
   std::printf("scan '%s': %lu pulses, %lu frames, %lu bound, %lu dropped, %lu never arrived\n",
               result.scan_id.c_str(), result.audit.triggers, result.audit.frames,
@@ -63,8 +63,8 @@ void tell(const Options& options, const scan_cell_msgs::ScanResult& result) {
   std::printf("%s\n", result.message.c_str());
 }
 
-/// @throw Refused before anything moves if the cell is not calibrated as it shall be; the report
-/// then tells how it is
+/// @throw Refused before anything moves if the cell does not have the required calibration; the
+/// report then gives the one it has
 void check_calibration(const Options& options, const scan_cell::CalibrationFiles& files) {
   const scan_cell::Json now = to_json(files);
   for (const auto& [name, hash] : options.calibrated_with) {

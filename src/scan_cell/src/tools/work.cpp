@@ -23,7 +23,7 @@ int work(const scan_cell::WorkOptions& options) {
                   [&bar](const std::string& what, double share) { bar.show(what, share); });
   std::printf("%u of %u waypoints passed in %.1f s\n", result.passed, result.waypoints,
               result.seconds);
-  std::fflush(stdout);  // before what went wrong
+  std::fflush(stdout);  // before the error message
   if (result.outcome == WorkResult::FINISHED) return 0;
   std::fprintf(stderr, "work: %s\n", result.message.c_str());
   return result.outcome == WorkResult::REFUSED ? scan_cell_common::kRefused

@@ -10,7 +10,7 @@
 
 namespace scan_cell {
 
-/// What the tools that work a part, or look at it before, are told alike.
+/// Options shared by the tools that work a part or preview the work.
 struct WorkOptions {
   scan_cell_msgs::WorkGoal goal;
   std::string waypoint_z;
@@ -31,7 +31,7 @@ inline void add_options(CLI::App& app, WorkOptions& options) {
   app.add_option("--timeout", options.timeout, "seconds to wait for the cell");
 }
 
-/// The cell's working directory is not this one.
+/// The goal, with absolute paths, since the cell's working directory is another one.
 inline scan_cell_msgs::WorkGoal goal_of(const WorkOptions& options) {
   using scan_cell_msgs::WorkGoal;
   WorkGoal goal = options.goal;

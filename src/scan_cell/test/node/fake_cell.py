@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # Copyright 2026 the scan cell developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Every node around scan_cell_node, played by one: it does what it is told and can go silent.
+"""Plays every node around scan_cell_node: it does what it is told and can go silent.
 
 Parameters under /fake:
 silent      device that goes silent after ten pulses
@@ -23,7 +23,7 @@ from sensor_msgs.msg import PointCloud2, PointField
 from std_msgs.msg import Empty, String
 from tf2_msgs.msg import TFMessage
 
-HANGS = 6  # [s] longer than anybody may wait while the robot moves
+HANGS = 6  # [s] longer than any allowed wait while the robot moves
 
 
 def fake(name, default=''):

@@ -21,7 +21,7 @@ namespace scan_test {
 using scan_cell_msgs::ScanResult;
 using State = actionlib::SimpleClientGoalState;
 
-/// A client of scan_cell_node amid the fake cell (fake_cell.py), which logs what is done to it.
+/// A client of scan_cell_node within the fake cell (fake_cell.py), which logs what is done to it.
 class ScanClient : public testing::Test {
  protected:
   using Client = actionlib::SimpleActionClient<scan_cell_msgs::ScanAction>;
@@ -75,7 +75,7 @@ class ScanClient : public testing::Test {
     return *client.getResult();
   }
 
-  /// Starts a scan and returns once frames come.
+  /// Starts a scan and returns once frames arrive.
   static void start(Client& client, const scan_cell_msgs::ScanGoal& scan) {
     const auto come = std::make_shared<std::promise<void>>();
     const auto once = std::make_shared<std::once_flag>();
@@ -86,7 +86,7 @@ class ScanClient : public testing::Test {
     ASSERT_EQ(come->get_future().wait_for(std::chrono::seconds(30)), std::future_status::ready);
   }
 
-  /// Waits for it: the log may come after the result.
+  /// Waits for a log line, which may arrive after the result.
   bool logged(const std::string& text) {
     const ros::WallTime deadline = ros::WallTime::now() + ros::WallDuration(20);
     while (ros::WallTime::now() < deadline) {

@@ -14,8 +14,8 @@ using scan_cell::CleanCloudWatch;
 
 namespace {
 
-constexpr double kTimeout = 30;  // [s] far more than any of it takes
-constexpr int kWatches = 300;    // one that was destroyed too early crashed within 20
+constexpr double kTimeout = 30;  // [s] far more than any step takes
+constexpr int kWatches = 300;    // one destroyed too early crashed within 20
 
 sensor_msgs::PointCloud2 cloud_of(int number) {
   sensor_msgs::PointCloud2 cloud;
@@ -32,7 +32,7 @@ scan_cell_msgs::PreprocessReport failure_of(int number) {
   return report;
 }
 
-/// Publishes clouds and failures, one behind the other, until it is destroyed.
+/// Publishes clouds and failures, one after the other, until it is destroyed.
 class BusyCell {
  public:
   explicit BusyCell(const ros::NodeHandle& node) : node_(node), thread_([this] { publish(); }) {}

@@ -35,7 +35,7 @@ class ScanWatcher : public ScanClient {
     return watched;
   }
 
-  /// Once the scan has ended, without anybody's cancel.
+  /// Expects that the scan has ended without a client's cancel.
   void expect_ended_because_gone(const std::string& watcher) {
     EXPECT_TRUE(logged("disarmed"));
     EXPECT_TRUE(logged("stopped"));

@@ -134,7 +134,7 @@ TEST(VideeServer, HangsUpOnAClientThatIsIdleForTooLongAndSaysSo) {
   std::atomic<int> lost{0};
   scan_cell::VideeServer server(options, nothing, [&lost] { ++lost; });
   Client client(server.port());
-  client.send("RES");  // half a command is none
+  client.send("RES");  // half a command is not a command
   EXPECT_EQ(client.receive(), "ERROR no command for 0 s; connect again");
   EXPECT_TRUE(client.hung_up());
   Client next(server.port());

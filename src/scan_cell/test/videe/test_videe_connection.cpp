@@ -23,14 +23,14 @@ namespace {
 using Clock = std::chrono::steady_clock;
 using std::chrono::seconds;
 
-/// A server whose STOP_SCAN waits until the client is gone, and for no longer than 20 s.
+/// A server whose STOP_SCAN waits until the client is gone, for at most 20 s.
 class Waiting {
  public:
   std::uint16_t port() const { return server_.port(); }
 
   void wait_until_under_way() { begun_.get_future().wait(); }
 
-  /// Whether STOP_SCAN was told that the client is gone, and the client was given up.
+  /// Whether STOP_SCAN noticed that the client is gone, and the client was given up.
   bool noticed() {
     constexpr seconds kPatience(30);
     return lost_.get_future().wait_for(kPatience) == std::future_status::ready && noticed_;
@@ -56,7 +56,7 @@ class Waiting {
       [this] { lost_.set_value(); }};
 };
 
-/// That many bytes of short commands.
+/// This many bytes of short commands.
 std::string commands(std::size_t bytes) {
   std::string text;
   while (text.size() < bytes)
@@ -64,7 +64,7 @@ std::string commands(std::size_t bytes) {
   return text;
 }
 
-/// Sends STOP_SCAN, and then what there is room for.
+/// Sends STOP_SCAN, and then as much as there is room for.
 void send_ahead(Waiting& server, Client& client, const std::string& ahead) {
   client.send("STOP_SCAN\n");
   server.wait_until_under_way();
@@ -82,7 +82,7 @@ void set_loopback(bool up) {
   close(any);
 }
 
-/// Runs a test in a process with a loopback device of its own.
+/// Runs a test in a process with its own loopback device.
 /// @return its exit code
 int with_own_network(const std::function<bool()>& test, int not_allowed) {
   const pid_t process = fork();

@@ -27,7 +27,7 @@ inline scan_cell::VideeServer::Options at_any_port() {
 class Client {
  public:
   /// @param from the client's own address
-  /// @param room [bytes] for answers that it did not take yet; 0: the system's
+  /// @param room [bytes] for answers not yet received; 0: the system's
   explicit Client(std::uint16_t port, const std::string& from = "127.0.0.1", int room = 0) {
     socket_.open(tcp::v4());
     if (room > 0) socket_.set_option(boost::asio::socket_base::receive_buffer_size(room));
@@ -35,7 +35,7 @@ class Client {
     socket_.connect({boost::asio::ip::make_address("127.0.0.1"), port});
   }
   void send(const std::string& text) { boost::asio::write(socket_, boost::asio::buffer(text)); }
-  /// As much of it as the server takes before it is silent for half a second, or hangs up.
+  /// Sends as much as the server accepts before it is silent for half a second or disconnects.
   void send_what_fits(const std::string& text) {
     std::size_t sent = 0;
     pollfd writable{socket_.native_handle(), POLLOUT, 0};
@@ -55,7 +55,8 @@ class Client {
     std::getline(stream, line);
     return line;
   }
-  /// Whether the server hung up, once it has, after any lines that receive() did not take.
+  /// Waits until the server disconnects, after any lines that receive() did not take, and returns
+  /// whether it has.
   bool hung_up() {
     boost::system::error_code error;
     while (!error)

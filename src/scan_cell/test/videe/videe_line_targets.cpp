@@ -11,7 +11,7 @@ namespace {
 
 using namespace scan_cell_common;
 
-/// What is said of a bad line goes back to the client as a line.
+/// Checks the complaint about a bad line, which goes back to the client as a line.
 void check_complaint(const Error& error) {
   const std::string text = error.what();
   promise(text.size() < 400, "a complaint of " + std::to_string(text.size()) + " bytes");

@@ -6,5 +6,5 @@
 
 #include "scan_cell_common/testing/fuzzing.h"
 
-/// The reader of ViDeE's lines, for the fuzzers.
+/// The reader of ViDeE lines, for the fuzzers.
 std::vector<scan_cell_common::FuzzTarget> videe_line_targets();

@@ -25,7 +25,7 @@ class Permit : public testing::Test {
   }
   void TearDown() override { std::filesystem::remove(file_); }
 
-  /// Empty: it may run.
+  /// The refusal; empty: the path may run.
   std::string refusal(double now = 1500, bool dry = false) const {
     try {
       check_permit(report_, cell_, rules_, DryRuns(file_), dry, now);

@@ -42,7 +42,7 @@ WorkPlan plan(std::size_t from = 0, const std::optional<DryRun>& dry = {},
   return plan_of(path(), parameters(), in_air, from, dry);
 }
 
-/// What stands for each waypoint: its number, or - on the way.
+/// A text for each waypoint: its number, or - in between.
 std::string waypoints(const WorkPlan& plan) {
   std::string text;
   for (const WorkWaypoint& each : plan.waypoints)

@@ -11,7 +11,7 @@ namespace {
 using session_test::FakeCell;
 using session_test::FakeTrigger;
 
-/// A robot that takes three looks for each motion.
+/// A robot that needs three checks for each motion.
 struct FakeFollower : session_test::FakeRobot, Follower {
   using FakeRobot::FakeRobot;
   FollowCheck check_follow(const WorkPlan&) override {

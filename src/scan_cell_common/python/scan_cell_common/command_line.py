@@ -1,12 +1,12 @@
 # Copyright 2026 the scan cell developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""What every script of the suite answers on its command line."""
+"""Command-line options of every script of the suite."""
 import argparse
 
 
 class _Version(argparse.Action):
     def __call__(self, parser, *_):
-        import rospkg  # slow to load, and not needed for anything else
+        import rospkg  # slow to load, and not needed otherwise
         print(parser.prog, rospkg.RosPack().get_manifest('scan_cell_common').version)
         parser.exit()
 

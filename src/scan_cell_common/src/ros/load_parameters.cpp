@@ -9,7 +9,7 @@
 namespace scan_cell_common {
 namespace {
 
-/// What is set on the parameter server, as the type of a parameter.
+/// Converts a value of the parameter server to the type of a parameter.
 struct TakeParameter {
   const ros::NodeHandle& node;
   const std::string& name;

@@ -15,7 +15,7 @@
 namespace scan_cell_common {
 namespace {
 
-/// tool_main() with the words that are not ROS' own.
+/// tool_main() with the words that are not for ROS.
 int plain_main(const std::string& name, CLI::App& options, int argc, char** argv,
                const std::function<int()>& body, int refused, const Outputs& outputs) {
   std::vector<std::string> words;
@@ -27,9 +27,9 @@ int plain_main(const std::string& name, CLI::App& options, int argc, char** argv
                    refused, outputs);
 }
 
-/// Without this a tool would wait for it for ever, whatever its timeout is.
+/// Without this, a tool would wait for the master for ever, whatever its timeout.
 void wait_for_master() {
-  constexpr double kPatience = 10;  // [s] it may be starting; chosen as the tools' own timeout
+  constexpr double kPatience = 10;  // [s] it may be starting; chosen like the tools' own timeout
   const ros::WallTime end = ros::WallTime::now() + ros::WallDuration(kPatience);
   while (!listens(ros::master::getHost(), ros::master::getPort())) {
     if (ros::WallTime::now() > end)
@@ -56,7 +56,7 @@ int node_main(int argc, char** argv, const std::string& name, const std::string&
     }
     if (before_threads) before_threads();
     ros::init(argc, argv, name);
-    // The last handle takes the console down with it: without this one the line below is not
+    // Destroying the last handle ends the console: without this one, the line below would not be
     // printed.
     const ros::NodeHandle keep_console;
     set_up_process();

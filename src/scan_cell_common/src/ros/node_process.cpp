@@ -15,7 +15,7 @@
 namespace scan_cell_common {
 namespace {
 
-/// Host and port, as the master knows it.
+/// Host and port of a node, from the master.
 std::optional<std::pair<std::string, std::uint32_t>> address_of(const std::string& node) {
   XmlRpc::XmlRpcValue request, response, uri;
   request[0] = ros::this_node::getName();

@@ -25,7 +25,7 @@ void shut_down(int number) {
     ros::requestShutdown();
     return;
   }
-  // Nothing is under way yet, and ros::start() would forget the request.
+  // Nothing is in progress yet, and ros::start() would forget the request.
   signal(number, SIG_DFL);
   raise(number);
 }

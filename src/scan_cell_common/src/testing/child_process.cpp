@@ -22,7 +22,7 @@ namespace scan_cell_common {
 ChildProcess::ChildProcess(const std::vector<std::string>& command, bool quiet) {
   std::vector<char*> arguments;
   for (const std::string& word : command)
-    arguments.push_back(const_cast<char*>(word.c_str()));  // as execvp() has it
+    arguments.push_back(const_cast<char*>(word.c_str()));  // as execvp() requires
   arguments.push_back(nullptr);
   id_ = fork();
   if (id_ < 0) {
@@ -58,7 +58,7 @@ Usage usage_of(pid_t process) {
   std::ifstream file(fmt::format("/proc/{}/stat", process));
   std::string text;
   std::getline(file, text);
-  std::istringstream fields(text.substr(text.rfind(')') + 1));  // the name may hold anything
+  std::istringstream fields(text.substr(text.rfind(')') + 1));  // the name may contain anything
   constexpr int kBeforeTimes = 11;                              // fields from the state on
   constexpr int kBetween = 8;                                   // fields from the times to the size
   std::string skipped;

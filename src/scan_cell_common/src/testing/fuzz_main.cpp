@@ -31,7 +31,7 @@ struct Options {
   std::string seeds;
 };
 
-/// What runs now, for the signal handler.
+/// The present run, for the signal handler.
 struct Now {
   const char* target = "";
   std::uint64_t seed = 0;
@@ -58,7 +58,7 @@ void watch_for_crashes() {
 #endif
 }
 
-/// Of the processor's time: a busy machine is no fault. 0: never.
+/// In processor time, since a busy machine is not a fault. 0: never.
 void end_after(time_t seconds) {
   const itimerval timer{{0, 0}, {seconds, 0}};
   setitimer(ITIMER_PROF, &timer, nullptr);

@@ -12,7 +12,7 @@
 namespace scan_cell_common {
 namespace {
 
-/// Numbers that have broken many a reader.
+/// Numbers that often break readers.
 const char* const kNasty[] = {"0",          "-1",         "1",          "2",
                               "3",          "7",          "255",        "256",
                               "65536",      "1000000000", "2147483647", "2147483648",
@@ -92,7 +92,7 @@ void swap_lines(std::string& bytes, Random& random) {
   bytes.replace(one.begin, one.size, second);
 }
 
-/// Removes a piece, or doubles it.
+/// Removes or doubles a piece.
 /// @param by_line pieces are lines
 void change_piece(std::string& bytes, bool by_line, bool remove, Random& random) {
   const Range piece = by_line ? line(bytes, random) : block(bytes, random);

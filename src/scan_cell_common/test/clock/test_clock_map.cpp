@@ -18,16 +18,17 @@ namespace {
 
 constexpr Nanoseconds kSecond = 1000 * kMillisecond;
 
-/// A device whose messages reach the host over a wire with jitter, and the true map of its clock.
+/// A device whose messages reach the host over a network with jitter, and the true map of its
+/// clock.
 class SimulatedDevice {
  public:
-  /// @param drift the device runs 1 + drift times as fast @param jitter [ns] mean of what delays
-  /// exceed the least by
+  /// @param drift the device runs 1 + drift times as fast @param jitter [ns] mean delay beyond the
+  /// least
   SimulatedDevice(unsigned seed, double drift, double jitter)
       : random_(seed), drift_(drift), jitter_(1 / jitter) {}
 
-  /// Sends for so long [ns of the host], at a rate [Hz].
-  /// @return [ns] the worst error of the map in the second half of that time
+  /// Sends for this time [ns of the host], at a rate [Hz].
+  /// @return [ns] worst error of the map in the second half of that time
   double run(ClockMap& map, Nanoseconds duration, double rate) {
     const Nanoseconds end = now_ + duration, half = now_ + duration / 2;
     double worst = 0;
@@ -70,7 +71,7 @@ TEST(ClockMap, KeepsTheTimeOfAnyClockOverAnyWire) {
         ClockMap map(kWindow);
         SimulatedDevice device(++seed, drift, jitter);
         const double worst = device.run(map, 60 * kSecond, rate);
-        // what the least of the window's delays comes to, and a share of the jitter
+        // the expected least delay in the window, and a share of the jitter
         const double pairs = rate * 2;
         EXPECT_LT(worst, 5e3 + jitter * (8 / pairs + 0.02))
             << drift << ", " << rate << " Hz, jitter " << jitter << " ns";

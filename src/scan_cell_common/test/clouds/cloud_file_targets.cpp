@@ -126,7 +126,7 @@ const char* const kSemicolons = "# scanned\n0.1;0.2;0.3;7\n0.1;0.2;;7\n-0.1;0.2;
 const char* const kProfiles =
     "z0\tz1\tz2\n0.1\t-32.768\t0.3\n\tnan\t0.4\n0.1\t0.2\t0.3\n-32.768\t0.1\t0.3\n";
 
-/// No reader may make more of a file than is in it.
+/// Checks that a reader makes no more of a file than is in it.
 void check_cloud(const Cloud& cloud, const std::string& bytes) {
   constexpr std::size_t kMinRow = 3;          // ",," and the line's end
   constexpr std::size_t kMaxRatio = 264 / 3;  // of LZF

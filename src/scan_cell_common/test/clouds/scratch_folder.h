@@ -9,7 +9,7 @@
 #include <fstream>
 #include <string>
 
-/// A folder for the files of one test, gone afterwards.
+/// A folder for the files of one test, removed afterwards.
 class ScratchFolder : public testing::Test {
  protected:
   void SetUp() override { std::filesystem::create_directories(folder_); }

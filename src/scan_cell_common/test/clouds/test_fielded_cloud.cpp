@@ -16,7 +16,7 @@ using scan_cell_common::FieldType;
 
 namespace {
 
-/// With a gap behind `laser`, as scans have it.
+/// A point with a gap after `laser`, as in scans.
 struct Point {
   float x, y, z;
   std::uint8_t laser;

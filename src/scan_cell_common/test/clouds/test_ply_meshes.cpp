@@ -37,8 +37,8 @@ void append_as(std::string& bytes, const std::string& type, int number, bool big
   if (type == "uint") append(bytes, static_cast<std::uint32_t>(number), big);
 }
 
-/// As noether's tools and CloudCompare write them: with normals and colours of the vertices, and
-/// more properties of the faces.
+/// A mesh as written by noether's tools and CloudCompare: with normals and colours of the vertices,
+/// and more properties of the faces.
 std::string ply_mesh(const std::string& format, const std::vector<std::vector<int>>& faces,
                      const Types& types = {"uchar", "int"}) {
   std::string bytes = "ply\nformat " + format +
@@ -75,7 +75,7 @@ std::string ply_mesh(const std::string& format, const std::vector<std::vector<in
   return bytes;
 }
 
-/// Of all triangles; each must turn to the left, as the polygon does.
+/// Area of all triangles; each must turn left, as the polygon does.
 double area_of(const pcl::PolygonMesh& mesh) {
   Cloud vertices;
   pcl::fromPCLPointCloud2(mesh.cloud, vertices);

@@ -18,7 +18,7 @@ namespace {
 const Eigen::Vector3f kFirst(0.5F, -2.25F, 3);
 const Eigen::Vector3f kSecond(1e-3F, 4, -5);
 
-/// Both points, and nothing else.
+/// Expects both points and nothing else.
 void expect_points(const std::string& text, const std::string& note = "") {
   SCOPED_TRACE(text);
   const LoadedCloud loaded = parse_point_table(text, "f");

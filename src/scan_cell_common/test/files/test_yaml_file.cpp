@@ -13,7 +13,7 @@ using scan_cell_common::YamlEntry;
 
 namespace {
 
-/// What the suite says when `use` reads `text`.
+/// The suite's error when `use` reads `text`.
 template <class Use>
 std::string complaint(const std::string& text, const Use& use) {
   try {
@@ -84,7 +84,7 @@ TEST(YamlEntry, ADirectionHasLength1AndComesBackToTheLastDigit) {
 TEST(SaveText, IsRefusedByPathAndLeavesNothingBehind) {
   const fs::path folder = fs::temp_directory_path() / ("save_text_" + std::to_string(getpid()));
   const std::string target = (folder / "a").string();
-  fs::create_directories(target);  // a folder where the file is to be
+  fs::create_directories(target);  // a folder in the place of the file
   for (const std::string& path : {target, (folder / "no/such/folder/a").string()}) {
     try {
       scan_cell_common::save_text(path, "text");

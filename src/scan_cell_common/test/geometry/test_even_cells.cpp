@@ -14,7 +14,7 @@ using Points = std::vector<Vector3d>;
 
 const Grid kGrid{Vector3d(2, 2, 0.5), {2, 1, 0}, 1e6};
 
-/// Of the cells, in their order.
+/// Means of the cells, in order.
 Points means_of(const Points& points) {
   const auto position = [&points](std::size_t i) { return points[i]; };
   Points means;
@@ -28,7 +28,7 @@ Points means_of(const Points& points) {
   return means;
 }
 
-/// `across` by `across` points in a column of cells, from x and y 0 to 2.
+/// Adds `across` by `across` points in a column of cells, with x and y from 0 to 2.
 void add_layer(int across, double z, Points& points) {
   for (int x = 0; x < across; ++x)
     for (int y = 0; y < across; ++y)

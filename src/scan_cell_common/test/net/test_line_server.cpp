@@ -1,7 +1,5 @@
-// Copyright 2026 the scan cell developers
-// SPDX-License-Identifier: BSD-3-Clause
-// What the services built on it do not test: test_lookup.cpp and test_videe_connection.cpp do the
-// rest.
+// Copyright 2026 the scan cell developers SPDX-License-Identifier: BSD-3-Clause Tests what the
+// tests of its users do not: test_lookup.cpp and test_videe_connection.cpp test the rest.
 #include <gtest/gtest.h>
 #include <poll.h>
 #include <sys/socket.h>

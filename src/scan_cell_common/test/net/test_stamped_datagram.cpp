@@ -16,7 +16,7 @@ using scan_cell_common::receive_stamped;
 
 namespace {
 
-/// Two ends of a datagram socket; the kernel stamps what the second receives where asked to.
+/// Two ends of a datagram socket; the kernel stamps what the second one receives, if asked to.
 class Datagrams {
  public:
   explicit Datagrams(bool stamped) {
@@ -51,7 +51,7 @@ TEST(StampedDatagram, SaysWhenItCameHoweverLateItIsRead) {
   const Nanoseconds before = host_now();
   datagrams.send();
   const Nanoseconds sent = host_now();
-  std::this_thread::sleep_for(std::chrono::milliseconds(20));  // what the reader was busy with
+  std::this_thread::sleep_for(std::chrono::milliseconds(20));  // while the reader is busy
   const auto received = datagrams.receive();
   ASSERT_TRUE(received);
   EXPECT_LE(before, *received);

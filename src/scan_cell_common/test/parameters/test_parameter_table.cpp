@@ -56,7 +56,7 @@ void describe(ParameterTable& table, Settings& settings) {
   table.group("lens", settings.lens);
 }
 
-/// The message with which something is refused.
+/// The message of a refusal.
 std::string refusal(const std::function<void()>& act) {
   try {
     act();

@@ -19,12 +19,12 @@ using scan_cell_common::ConnectionError;
 
 namespace {
 
-constexpr double kTimeout = 30;   // [s] far more than any of it takes
-constexpr double kShort = 0.2;    // [s] for what must not come
-constexpr int kThreads = 4;       // that serve callbacks
-constexpr int kRacedGoals = 500;  // the answer came before sendGoal() was done in a few of 100
+constexpr double kTimeout = 30;   // [s] far more than any step takes
+constexpr double kShort = 0.2;    // [s] for what must not happen
+constexpr int kThreads = 4;       // threads that serve callbacks
+constexpr int kRacedGoals = 500;  // in a few of 100 the answer came before sendGoal() returned
 
-/// A server that does with a goal what a test says, beside its client, on a net of threads.
+/// A server that does with a goal what a test says, beside its client, with several threads.
 class GoalClient : public testing::Test {
  protected:
   using Server = actionlib::ActionServer<TestAction>;

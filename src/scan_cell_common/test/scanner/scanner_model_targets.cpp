@@ -25,7 +25,7 @@ const char* const kFlow =
     " flange_to_camera: &p {translation: [0, 0, 0], rotation: [0, 0, 0, 1]},\n"
     " lasers: [{normal: [1, 0, 0], distance: 0.1, origin: [0.1, 0, 0]}]}\n";
 
-/// Whatever was taken holds all that is promised of a model.
+/// Expects that a model read keeps every promise of a model.
 void expect_usable(const ScannerModel& model) {
   promise(model.camera.width > 0 && model.camera.height > 0, "a sensor");
   promise(model.camera.fx > 0 && std::isfinite(model.camera.fx), "a focal length");

@@ -6,5 +6,5 @@
 
 #include "scan_cell_common/testing/fuzzing.h"
 
-/// The reader of scanner models, with the models that are changed.
+/// The reader of scanner models, with the models to be mutated.
 std::vector<scan_cell_common::FuzzTarget> scanner_model_targets();

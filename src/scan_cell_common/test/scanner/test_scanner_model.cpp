@@ -40,7 +40,7 @@ class ScannerModelFile : public testing::Test {
  protected:
   void TearDown() override { fs::remove(path_); }
 
-  /// What loading says after the text that matches `pattern` was replaced.
+  /// The error of loading after the text that matches `pattern` was replaced.
   std::string complaint(const std::string& pattern, const std::string& replacement) {
     scan_cell_common::save_scanner_model(path_, example());
     std::ifstream in(path_);

@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Runs a tool that turns an input into an output, and has a number and two commands.
+/// Runs a tool that turns an input into an output, and has a number option and two commands.
 class ToolMain : public testing::Test {
  protected:
   void SetUp() override {

@@ -30,7 +30,7 @@ Eigen::Matrix<double, N, 1> positives(const YamlEntry& entry) {
 
 Eigen::Vector3d direction(const YamlEntry& entry) {
   const Eigen::Vector3d out = entry.vector<3>();
-  constexpr double kLeast = 1e-6, kMost = 1e6;  // where its length can be told exactly
+  constexpr double kLeast = 1e-6, kMost = 1e6;  // range in which a length can be computed exactly
   if (!(out.norm() > kLeast && out.norm() < kMost))
     entry.refuse("no direction", "give the one out of the solid, such as [0, 0, 1]");
   return out.normalized();

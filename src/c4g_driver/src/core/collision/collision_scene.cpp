@@ -27,7 +27,7 @@ struct Body {
   std::string name;
   Kind kind;  // of primitives
   bool primitive = true;
-  std::size_t link = 0;    // it moves with: of RobotModel::links_at(), and one behind: the tip
+  std::size_t link = 0;  // it moves with this index of RobotModel::links_at(); one beyond: the tip
   Eigen::Isometry3d pose;  // in the link, or in base_link
   std::unique_ptr<fcl::CollisionObjectd> object;
 };
@@ -48,7 +48,7 @@ Geometry geometry_of(const CellShape& shape, double grown) {
   return std::make_shared<fcl::Halfspaced>(shape.size, 0);
 }
 
-/// Whether FCL tells the depth of these exactly.
+/// Whether FCL computes the exact depth for this pair.
 bool depth_is_known(const Body& a, const Body& b) {
   if (!a.primitive || !b.primitive) return false;
   const auto either = [&](Kind kind) { return a.kind == kind || b.kind == kind; };

@@ -69,16 +69,16 @@ void Link::keep() {
       const auto next = begin + std::chrono::duration_cast<Clock::duration>(Seconds(wait));
       changed_.wait_until(lock, next, [=] { return ending_ || !report_.up || period() < wait; });
     }
-    // After a loss at once: OPEN ends what may still be on its way to the controller.
+    // Reconnects at once after a loss: OPEN voids what may still be in transit to the controller.
     if (!report_.up) changed_.wait_until(lock, next_attempt_, [this] { return ending_; });
     if (ending_) return;
   }
 }
 
-/// [s] between two signs of life. While a path of the tool is followed so many that the controller
-/// hears one in time, although the wire loses some.
+/// [s] between two signs of life. While a tool path is followed they are so frequent that the
+/// controller receives one in time even if the network loses some.
 double Link::period() const {
-  constexpr double kSignsAWatch = 10;  // with 30 % loss ten in a row get lost twice an hour
+  constexpr double kSignsAWatch = 10;  // with 30 % loss, ten in a row are lost twice an hour
   if (!follows()) return options_.poll_period;
   return std::min(options_.poll_period, watch_ / kSignsAWatch);
 }
@@ -124,12 +124,12 @@ void Link::poll() {
   try {
     request(GetStaticPose{});
   } catch (const ConnectionError&) {
-    return;  // a lost link is seen in the next round
+    return;  // the next round notices a lost link
   } catch (const Error&) {
-    // what the controller complains of is in its state
+    // the state shows the controller's errors
   }
-  // All that came before the answer is taken in by now, so a delay of this process is not blamed on
-  // the controller.
+  // Everything that arrived before the answer is processed by now, so the controller is not blamed
+  // for a delay of this process.
   bool stale = false;
   {
     const std::lock_guard<std::mutex> lock(mutex_);
@@ -195,21 +195,21 @@ std::string Link::next_datagram(const Request& request, const Start* start) {
 std::optional<Acknowledgement> Link::exchange(const std::string& datagram) {
   const Clock::time_point begin = Clock::now();
   const auto timeout = std::chrono::duration_cast<Clock::duration>(Seconds(options_.link_timeout));
-  // All tries: a delay of this process is not blamed on the controller.
+  // Uses all tries, so that the controller is not blamed for a delay of this process.
   for (int i = 0; i < options_.tries || Clock::now() - begin < timeout; ++i) {
     const Clock::time_point sent = Clock::now();
     socket_.send(datagram);
     std::unique_lock<std::mutex> lock(mutex_);
     const auto answered = [this] { return answer_.has_value(); };
     if (!changed_.wait_for(lock, Seconds(patience()), answered)) continue;
-    // Karn's rule (1987): the answer to a retry may be that to an earlier try
+    // Karn's rule (1987): the answer to a retry may belong to an earlier try
     if (i == 0) report_.round_trip.add(std::chrono::nanoseconds(Clock::now() - sent).count());
     return answer_;
   }
   return std::nullopt;
 }
 
-/// @param malformed how many datagrams were so before the request
+/// @param malformed count of malformed datagrams before the request
 std::string Link::why_no_answer(const Request& request, std::uint64_t malformed) const {
   const Malformed now = receiver_.malformed();
   if (now.count > malformed) return "sends what the protocol does not allow: " + now.last;

@@ -20,17 +20,17 @@ namespace c4g_driver {
 
 constexpr const char* kCheckLink = "check the cable, the address and the controller's program";
 
-/// The session with the controller: connects by itself and again after a loss, keeps the session
-/// alive, carries one request at a time, and follows the goal. A lost link ends the goal here,
-/// under the same lock as everything else, so that nothing of it can be sent again. All methods are
-/// safe to call from any thread.
+/// The session with the controller: connects by itself, reconnects after a loss, keeps the session
+/// alive, carries one request at a time, and tracks the goal. A lost link ends the goal here, under
+/// the same lock as everything else, so that no part of it can be sent again. All methods are
+/// thread-safe.
 class Link {
  public:
   /// @param options checked
   /// @throw scan_cell_common::InvalidParameter as PeerSocket and Receiver
   Link(const ClientOptions& options, Client::Listener listener);
 
-  /// Stops the robot if a goal is under way, and closes the session.
+  /// Stops the robot if a goal is in progress, and closes the session.
   ~Link();
 
   Link(const Link&) = delete;
@@ -42,8 +42,8 @@ class Link {
     double max_override;  //!< [%] see MotionCheck
   };
 
-  /// @param start where the request starts a motion
-  /// @param sent the datagram, if it is wanted
+  /// @param start given if the request starts a motion
+  /// @param sent receives the datagram, if not null
   /// @throw as Client's requests
   Acknowledgement request(const Request& request, const Start* start = nullptr,
                           std::string* sent = nullptr);
@@ -51,7 +51,7 @@ class Link {
   const std::string& name() const { return name_; }
   Goal goal() const;
   Goal wait_for_goal(double timeout) const;
-  double max_override() const;  //!< [%] of the goal; 100 where none is under way
+  double max_override() const;  //!< [%] of the goal; 100 if none is in progress
   bool up() const;
   bool wait_until_up(double timeout) const;
   std::optional<MeasuredState> latest() const;
@@ -85,21 +85,21 @@ class Link {
   PeerSocket socket_;
 
   std::mutex request_mutex_;  // one request at a time; taken before mutex_
-  mutable std::mutex mutex_;  // of what follows
+  mutable std::mutex mutex_;  // guards all that follows
   mutable std::condition_variable changed_;
-  LinkReport report_;               // but for what the members count themselves
-  Clock::time_point next_attempt_;  // not before: so a controller is not flooded
+  LinkReport report_;               // without what the members count themselves
+  Clock::time_point next_attempt_;  // earliest time, so that the controller is not flooded
   std::uint64_t session_ = 0;
   std::uint64_t seq_ = 0;
   std::optional<Acknowledgement> answer_;
   Goal goal_;
   double max_override_ = 100;  // [%] of the goal
-  double watch_ = 0;           // [s] the goal is a path of the tool; 0: another motion
+  double watch_ = 0;           // [s] above 0: the goal is a tool path; 0: another motion
   SequenceMonitor stream_;
   PoseFeed poses_;
   bool ending_ = false;
 
-  Receiver receiver_;  // ends last: it hears the answers to the last requests
+  Receiver receiver_;  // ends last, to receive the answers to the last requests
   std::thread keeper_;
 };
 

@@ -10,7 +10,7 @@
 namespace c4g_driver {
 namespace {
 
-/// One datagram after the other, each confirmed.
+/// Sends one datagram after the other and checks each confirmation.
 class Loader {
  public:
   explicit Loader(Link& link) : link_(link) {}

@@ -33,7 +33,7 @@ PoseFeed::Verdict PoseFeed::take(const RobotState& robot, Nanoseconds arrival, S
   latest_ = {clock_.to_host(robot.controller_time), arrival, robot};
   const bool was_moving = moving_;
   moving_ = robot.status == MotionStatus::kMoving;
-  // A better estimate of the wire's delay may put it before one that was handed on already; so does
+  // A better estimate of the network delay may put this pose before one already delivered. So does
   // a host clock that was set back, and for longer.
   if (latest_->time <= handed_on_) {
     ++dropped_.backward;

@@ -10,11 +10,11 @@
 
 namespace c4g_driver {
 
-/// Gives the controller's states their instant on the host's clock, chooses those to hand on, each
-/// once and in the order of time, and knows when they have become stale.
+/// Maps the controller's states to the host's clock, selects those to deliver, each once and in
+/// time order, and detects when poses have become stale.
 ///
-/// Fresh is a pose that is handed on and reached the host within the timeout of its instant. While
-/// the robot moves only the stream's poses count: those of acknowledgements are too far apart to
+/// A pose is fresh if it is delivered and reached the host within the timeout of its instant. While
+/// the robot moves, only the stream's poses count: those of acknowledgements are too far apart to
 /// tell where it was.
 class PoseFeed {
  public:
@@ -23,24 +23,24 @@ class PoseFeed {
   enum class Source { kStream, kAcknowledgement };
   enum class Verdict {
     kHandOn,
-    kOvertaken,  //!< measured no later than one that came before
-    kBackward    //!< later than those before, but its instant is not: the map of the clocks changed
+    kOvertaken,  //!< measured no later than a state that arrived before
+    kBackward    //!< measured later, but its host time is not later: the clock map changed
   };
 
-  /// @param clock_window [s] over which the least delay of the wire is sought
+  /// @param clock_window [s] over which the least network delay is taken
   /// @param timeout [s]
   PoseFeed(double clock_window, double timeout);
 
-  /// A session begins: neither the controller's clock nor the host's need go on from before.
+  /// A session begins: neither the controller's clock nor the host's need continue from before.
   void restart(Clock::time_point now);
 
   /// @param arrival on the host's clock
   Verdict take(const RobotState& robot, Nanoseconds arrival, Source source, Clock::time_point now);
 
-  /// The latest by the controller's clock, whether handed on or not; of any age.
+  /// The latest state by the controller's clock, whether delivered or not, of any age.
   const std::optional<MeasuredState>& latest() const { return latest_; }
 
-  /// True when the timeout is over since the latest fresh pose, or the restart.
+  /// True if the timeout has passed since the latest fresh pose or the restart.
   bool stale(Clock::time_point now) const;
 
   scan_cell_common::ClockMap::Figures clock() const { return clock_.figures(); }
@@ -52,7 +52,7 @@ class PoseFeed {
   scan_cell_common::ClockMap clock_;
   std::optional<MeasuredState> latest_;
   Nanoseconds newest_;     // controller's time of the latest state of this session
-  Nanoseconds handed_on_;  // host time of the latest one that was handed on in this session
+  Nanoseconds handed_on_;  // host time of the latest state delivered in this session
   bool moving_ = false;
   Clock::time_point fresh_at_;
   DroppedPoses dropped_;

@@ -13,14 +13,14 @@
 
 namespace c4g_driver {
 
-/// Hears what the controller sends, in a thread of its own, and counts what makes no sense.
+/// Receives the controller's datagrams in its own thread, and counts malformed ones.
 class Receiver {
  public:
-  /// Called in the receiver's thread. @param arrival when the kernel got the datagram
+  /// Called in the receiver's thread. @param arrival when the kernel received the datagram
   using Handler = std::function<void(const Reply&, scan_cell_common::Nanoseconds arrival)>;
 
-  /// @param realtime_priority of the thread, SCHED_FIFO; 0: the usual scheduling
-  /// @throw scan_cell_common::InvalidParameter if the priority is not allowed
+  /// @param realtime_priority of the thread, SCHED_FIFO; 0: normal scheduling
+  /// @throw scan_cell_common::InvalidParameter if the priority is not permitted
   Receiver(PeerSocket& socket, int realtime_priority, Handler handler);
   ~Receiver();
 
@@ -36,7 +36,7 @@ class Receiver {
 
   PeerSocket& socket_;
   const Handler handler_;
-  mutable std::mutex mutex_;  // of malformed_
+  mutable std::mutex mutex_;  // guards malformed_
   Malformed malformed_;
   std::atomic<bool> ending_{false};
   std::thread thread_;

@@ -21,7 +21,7 @@ SequenceMonitor::Verdict SequenceMonitor::take(std::uint64_t number) {
   }
   seen_.set(age);
   ++counts_.reordered;
-  if (counts_.lost > 0) --counts_.lost;  // it was counted as lost when the later one came
+  if (counts_.lost > 0) --counts_.lost;  // it was counted as lost when the later one arrived
   return Verdict::kLate;
 }
 

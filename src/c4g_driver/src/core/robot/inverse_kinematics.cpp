@@ -10,8 +10,8 @@
 namespace c4g_driver {
 namespace {
 
-/// The i-th number of van der Corput's sequence, spread over 0 .. 1; Halton (1960) takes one with
-/// another prime for each dimension.
+/// The i-th number of van der Corput's sequence, spread over 0 .. 1; Halton (1960) uses one with a
+/// different prime for each dimension.
 double spread(unsigned i, unsigned prime) {
   double result = 0;
   for (double digit = 1.0 / prime; i > 0; i /= prime, digit /= prime)
@@ -30,7 +30,7 @@ Joints start_of(unsigned i, const RobotModel& robot) {
   return joints;
 }
 
-/// Each joint by full turns as near as its range allows.
+/// Shifts each joint by full turns, as near to `near` as its range allows.
 Joints turned_near(Joints joints, const RobotModel& robot, const Joints& near) {
   constexpr double kTurn = 2 * M_PI;
   for (int k = 0; k < 6; ++k) {
@@ -44,7 +44,7 @@ Joints turned_near(Joints joints, const RobotModel& robot, const Joints& near) {
   return joints;
 }
 
-/// Levenberg and Marquardt's, of KDL: ends near each pose, or as near as it gets.
+/// KDL's Levenberg-Marquardt solver: ends near a pose, or as near as it gets.
 class NearestJoints {
  public:
   explicit NearestJoints(const RobotModel& robot)
@@ -61,7 +61,7 @@ class NearestJoints {
   }
 
  private:
-  static constexpr double kClose = 1e-5;  // KDL takes smaller rotations for none: step_to goes on
+  static constexpr double kClose = 1e-5;  // KDL treats smaller rotations as zero: step_to refines
   static constexpr int kIterations = 60;  // chosen
 
   static Joints weights() { return (Joints() << 1, 1, 1, 0.1, 0.1, 0.1).finished(); }

@@ -18,7 +18,7 @@ using scan_cell_common::Refused;
 
 void check_between(const std::string& thing, double value, double least, double most,
                    const std::string& unit) {
-  if (value >= least && value <= most) return;  // not so for NaN
+  if (value >= least && value <= most) return;  // false for NaN
   throw Refused(thing, fmt::format("{:g}{}", value, unit),
                 fmt::format("give one from {:g} to {:g}{}", least, most, unit));
 }
@@ -87,7 +87,7 @@ void check_workspace(const Eigen::Isometry3d& flange, const RobotLimits& limits,
 
 void check_flange(const Eigen::Isometry3d& flange, const RobotLimits& limits,
                   const std::string& name) {
-  constexpr double kRotation = 1e-6;  // off orthonormal; chosen
+  constexpr double kRotation = 1e-6;  // deviation from orthonormal; chosen
   check_workspace(flange, limits, name);
   const Eigen::Matrix3d& rotation = flange.linear();
   const double off = (rotation * rotation.transpose() - Eigen::Matrix3d::Identity()).norm();
@@ -122,7 +122,7 @@ void check_linear_speed(double speed, const SpeedLimit& limit) {
 }
 
 void check_speed_in_force(double speed, const SpeedLimit& limit) {
-  constexpr double kRounding = 1e-6;  // [m/s] of the way to the wire's unit and back
+  constexpr double kRounding = 1e-6;  // [m/s] of the conversion to the wire's unit and back
   if (speed <= limit.most + kRounding) return;
   throw Refused("linear speed set on the controller", fmt::format("{:g} m/s", speed),
                 fmt::format("set one up to {:g} m/s first: {}", limit.most, limit.reason));

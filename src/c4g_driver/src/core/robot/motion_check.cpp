@@ -21,7 +21,8 @@ namespace {
 
 constexpr double kBeyondSetting = 1e-6;  // [%] of the override, [rad] of a range; chosen
 
-/// [%] at which a speed that is `share` of the most at full override keeps to it.
+/// Highest override [%] that keeps the limit, for a speed that is `share` of the limit at full
+/// override.
 double max_override(double share) {
   return share > 1 ? 100 / share : 100;
 }
@@ -30,7 +31,8 @@ double max_override(double share) {
   throw MotionRefused(found.thing, found.value, found.cure, {found.way, flange});
 }
 
-/// [s] that the path takes at full override: its slowest stretch decides how fast all of it is run.
+/// Duration [s] of the path at full override: the slowest stretch decides the speed of the whole
+/// path.
 double duration(const Path& path, const MotionSettings& settings) {
   double longest = 0;
   for (const Path::Stretch& stretch : path.stretches()) {
@@ -120,7 +122,7 @@ MotionEnd MotionCheck::along(const Path& path) const {
       {strain.way, path.at(strain.way)});
 }
 
-/// The posture nearest to the present one, within the ranges.
+/// The posture within the ranges that is nearest to the present one.
 /// @param name of the target
 Joints MotionCheck::reach(const MotionPlace& target, const std::string& name) const {
   const Postures postures = postures_for(robot_, target.flange, from_.joints);
@@ -148,7 +150,7 @@ Joints MotionCheck::reach(const MotionPlace& target, const std::string& name) co
 
 MotionEnd MotionCheck::to_joints(const Joints& target) const {
   constexpr double kStep = 0.02;   // [rad] chosen
-  constexpr double kModel = 0.01;  // [m] what the model may be off, as in check_model
+  constexpr double kModel = 0.01;  // [m] tolerated error of the model, as in check_model
   const Joints turn = target - from_.joints;
   const double steps = std::ceil(std::max(1.0, turn.cwiseAbs().maxCoeff() / kStep));
   const double seconds = turn.cwiseAbs().cwiseQuotient(robot_.speed()).maxCoeff();

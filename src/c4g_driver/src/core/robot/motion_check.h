@@ -9,44 +9,46 @@
 
 namespace c4g_driver {
 
-/// Where a motion that passed its check ends, and how it may be run.
+/// Where a motion that passed its check ends, and at what override it may run.
 struct MotionEnd {
-  double max_override;  // [%] the highest at which it keeps to the speeds
+  double max_override;  // [%] the highest at which it keeps the speed limits
   Joints joints;        // [rad]
   Eigen::Isometry3d flange;
 };
 
-/// @throw scan_cell_common::Refused if the model does not put the flange where it was measured
+/// @throw scan_cell_common::Refused if the model does not put the flange where the controller
+/// measured it
 void check_model(const RobotModel& robot, const RobotState& state);
 
-/// Whether the robot can carry out a motion from where it stands: followed in small steps before
-/// anything is sent. What is refused names the joint or axis, its value, and where on the way.
+/// Checks whether the robot can carry out a motion from where it stands, by following it in small
+/// steps before anything is sent. A refusal names the joint or axis, its value, and the place on
+/// the way.
 ///
-/// The ranges and the box are taken wider where the robot stands outside them, so that it may come
-/// back.
+/// If the robot stands outside the ranges or the box, they are widened so that it may move back in.
 class MotionCheck {
  public:
   /// @param limits narrowed() to the robot
   /// @param from the robot at rest
-  /// @throw scan_cell_common::Refused if the model does not put the flange where it was measured
+  /// @throw scan_cell_common::Refused if the model does not put the flange where the controller
+  /// measured it
   MotionCheck(const RobotModel& robot, const RobotLimits& limits, const RobotState& from,
               const MotionSettings& settings);
 
-  /// One that check_goal() takes. @throw scan_cell_common::Refused
+  /// Checks a motion that check_goal() accepts. @throw scan_cell_common::Refused
   MotionEnd run(const Motion& motion) const;
 
-  /// A MOVE_CARTESIAN: within the ranges and speeds of the joints, no singular posture, and no
-  /// turning over of the wrist, along the whole line.
+  /// A MOVE_CARTESIAN: along the whole line the joints must stay within their ranges and speeds,
+  /// without a singular posture or an axis that turns over.
   /// @param target within the box
   /// @throw scan_cell_common::Refused
   MotionEnd to_pose(const Eigen::Isometry3d& target) const;
 
-  /// A MOVE_CIRCULAR: the same along the whole arc, which leaves the box nowhere.
+  /// A MOVE_CIRCULAR: the same along the whole arc, which must also stay within the box.
   /// @param via, target within the box
-  /// @throw scan_cell_common::Refused also if there is no one arc
+  /// @throw scan_cell_common::Refused also if no single arc passes through the poses
   MotionEnd along_arc(const Eigen::Isometry3d& via, const Eigen::Isometry3d& target) const;
 
-  /// A MOVE_JOINT: within the box along the whole way.
+  /// A MOVE_JOINT: the flange must stay within the box along the whole way.
   /// @param target within the ranges
   /// @throw scan_cell_common::Refused
   MotionEnd to_joints(const Joints& target) const;

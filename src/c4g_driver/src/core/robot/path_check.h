@@ -11,7 +11,7 @@
 
 namespace c4g_driver {
 
-/// What stands in the way of a motion, as a refusal says it.
+/// What prevents a motion, in the words of a refusal.
 struct Hindrance {
   std::string thing;
   std::string value;
@@ -19,7 +19,7 @@ struct Hindrance {
   double way = 0;  // of the motion
 };
 
-/// The most that a motion asks of a joint's speed.
+/// The highest joint speed that a motion demands.
 struct Strain {
   double share = 0;  // of the joint's own speed, at full override
   int joint = 0;
@@ -29,30 +29,29 @@ struct Strain {
 
 struct PathCheck {
   std::optional<Hindrance> hindrance;  // the first one
-  Strain strain;                       // up to there
-  Joints joints = Joints::Zero();      // [rad] at the end, where nothing hinders
+  Strain strain;                       // up to the hindrance
+  Joints joints = Joints::Zero();      // [rad] at the end, if there is no hindrance
 };
 
-/// Follows the path in small steps with the posture that the robot is in: ranges of the joints,
-/// box, singular postures, axes that turn over.
-/// @param limits of which it takes ranges and box
-/// @param joints [rad] of the robot at the path's beginning
+/// Follows the path in small steps in the robot's present posture, and checks joint ranges, box,
+/// singular postures and axes that turn over.
+/// @param limits only ranges and box are used
+/// @param joints [rad] of the robot at the start of the path
 /// @param seconds that the path takes at full override
 PathCheck follow(const RobotModel& robot, const RobotLimits& limits, const Path& path,
                  const Joints& joints, double seconds);
 
-/// The joints that a singular posture ties together, such as "J4 and J6"; empty: it is none.
+/// The joints that a singular posture couples, such as "J4 and J6"; empty: not singular.
 std::string singular_joints(const RobotModel::Jacobian& jacobian);
 
-/// [rad] that no joint changes by in a step of follow(), unless an axis turns over.
-/// The emulator, which looks every two degrees, refuses 0.35; below half of that, since its steps
-/// are not ours.
+/// [rad] A joint that changes by more in a step of follow() turns over. The emulator, which checks
+/// every two degrees, refuses 0.35; this is less than half of that, since its steps are not ours.
 constexpr double kTurnsOver = 0.15;  // for a step of a degree
 
-/// Into which follow() cuts a stretch: of a few millimetres and a degree at most.
+/// Number of steps into which follow() cuts a stretch, each at most a few millimetres and a degree.
 double steps_along(const Path::Stretch& stretch);
 
-/// @param slack [m] that the place may be off
+/// @param slack [m] tolerance of the place
 /// @param way 0 .. 1 of the motion
 std::optional<Hindrance> outside_workspace(const Eigen::Vector3d& place, const RobotLimits& limits,
                                            double slack, double way);
@@ -61,7 +60,7 @@ std::optional<Hindrance> outside_workspace(const Eigen::Vector3d& place, const R
 std::string at(double way);
 
 /// "-1.4 .. 1.4 m"
-/// @param unit with a blank before it
+/// @param unit with a leading blank
 std::string range(double lower, double upper, const char* unit);
 
 }  // namespace c4g_driver

@@ -19,7 +19,7 @@ namespace {
 
 using scan_cell_common::InvalidParameter;
 
-constexpr const char* kAxis = "";  // name of a segment that is no link: ends on a joint's axis
+constexpr const char* kAxis = "";  // name of a segment that is no link but ends on a joint's axis
 
 [[noreturn]] void refuse(const std::string& what, const std::string& cure) {
   throw InvalidParameter("robot description", what, cure);
@@ -41,15 +41,15 @@ KDL::Frame to_kdl(const urdf::Pose& pose) {
           KDL::Vector(pose.position.x, pose.position.y, pose.position.z)};
 }
 
-/// From a frame whose z axis is the joint's axis to the joint's own.
+/// Rotation from a frame whose z axis is the joint's axis to the joint's own frame.
 KDL::Rotation turn_of_axis(const urdf::Vector3& axis) {
   const auto turn = Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d(axis.x, axis.y, axis.z),
                                                        Eigen::Vector3d::UnitZ());
   return KDL::Rotation::Quaternion(turn.x(), turn.y(), turn.z(), turn.w());
 }
 
-/// A URDF's joint turns or slides along an axis at the origin of the link that it moves. Not KDL's
-/// joint about any axis, which keeps its last angle: threads that share it spoil each other's.
+/// A URDF joint turns about or slides along an axis at the origin of the link that it moves. KDL's
+/// joint about an arbitrary axis is not used: it caches its last angle, which is not thread-safe.
 void add(KDL::Chain& chain, const urdf::Joint& joint) {
   const KDL::Frame origin = to_kdl(joint.parent_to_joint_origin_transform);
   const bool turns = joint.type == urdf::Joint::REVOLUTE || joint.type == urdf::Joint::CONTINUOUS;
@@ -137,7 +137,7 @@ std::vector<Eigen::Isometry3d> RobotModel::links_at(const Joints& joints) const 
 }
 
 Eigen::Vector3d RobotModel::next_origin(std::size_t link) const {
-  // joints turn about their link's origin: at 0 this is the same as at any angle
+  // joints turn about their link's origin, so any angle gives the same result as 0
   const std::vector<Eigen::Isometry3d> links = links_at(Joints::Zero());
   std::size_t next = link + 1;
   while (next < links.size() && !moving_[next])

@@ -10,13 +10,13 @@
 namespace c4g_driver {
 namespace {
 
-/// Where the first fault is, in waypoints from the beginning.
+/// Position of the first fault, in waypoints from the beginning.
 double got_to(const ToolCheck& check) {
   const ToolFault& fault = check.faults.front();
   return static_cast<double>(fault.waypoint) + fault.way;
 }
 
-/// Keeps the check that is possible, or else gets farthest.
+/// Keeps the check that passes, or else the one that gets farthest.
 void keep(std::optional<ToolCheck>& best, ToolCheck&& check) {
   if (!best || check.possible() || got_to(check) > got_to(*best)) best = std::move(check);
 }
@@ -35,9 +35,9 @@ struct Spacing {
 };
 
 constexpr Spacing kCoarse = {0.02, 0.17};  // chosen
-constexpr Spacing kFine = {0.005, 0.05};   // where places between coarse nodes failed; chosen
+constexpr Spacing kFine = {0.005, 0.05};   // used if places between coarse nodes fail; chosen
 
-/// @param turn [rad] of the first waypoint's own pose at the begin
+/// @param turn [rad] at the start, of the first waypoint's own pose
 std::optional<ToolCheck> follow_spun(const ToolCheckSubject& subject, double turn,
                                      const Joints& begin, bool stands_there,
                                      const Spacing& spacing) {
@@ -62,7 +62,7 @@ struct Begin {
   bool stands_there = false;
 };
 
-/// Where the robot does not stand: the first turn that it can reach.
+/// A start where the robot does not stand: the first turn that it can reach.
 Begin begin_elsewhere(const ToolCheckSubject& subject, const RobotState& from) {
   for (const double quarters : {0, 2, 1, 3}) {
     const double turn = quarters * M_PI / 2;

@@ -11,7 +11,7 @@
 namespace c4g_driver {
 namespace {
 
-constexpr double kPosition = 1e-3;  // [m] as a goal is reached
+constexpr double kPosition = 1e-3;  // [m] the tolerance of a goal
 constexpr double kAngle = 5e-3;     // [rad]
 
 bool within(const ToolCheckSubject& subject, const Joints& joints) {

@@ -9,14 +9,14 @@
 
 namespace c4g_driver {
 
-/// Whether the robot stands at the path's first waypoint, as near as a goal is reached.
+/// Whether the robot stands at the path's first waypoint, within the tolerance of a goal.
 bool stands_at_begin(const ToolCheckSubject& subject, const RobotState& from);
 
-/// The same with any turn about the tool's z: that turn [rad] of the first waypoint's pose.
+/// The same with any turn about the tool's z; returns that turn [rad] of the first waypoint's pose.
 std::optional<double> turn_at_begin(const ToolCheckSubject& subject, const RobotState& from);
 
-/// Joints [rad] to begin with, a posture each, first the one that the robot gets to soonest. Those
-/// outside the ranges come last, since they are no use unless the tool turns.
+/// Joints [rad] to begin with, one set per posture, the one that the robot reaches soonest first.
+/// Postures outside the ranges come last: they are only useful if the tool turns.
 /// @param turn [rad] of the first waypoint's pose about the tool's z
 std::vector<Joints> begins(const ToolCheckSubject& subject, const RobotState& from, double turn);
 

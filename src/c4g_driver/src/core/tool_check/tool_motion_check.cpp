@@ -18,7 +18,7 @@ namespace {
 using scan_cell_common::UnusableInput;
 
 void check_pose(const Eigen::Isometry3d& pose, const std::string& name) {
-  constexpr double kRotation = 1e-6;  // off orthonormal, as of a goal's target
+  constexpr double kRotation = 1e-6;  // deviation from orthonormal, as for a goal's target
   if (!pose.translation().allFinite())
     throw UnusableInput(name, "a position that is not finite", "give numbers");
   const Eigen::Matrix3d& rotation = pose.linear();

@@ -12,7 +12,7 @@
 #include "c4g_driver/robot_state.h"
 #include "c4g_driver/tool_motion.h"
 
-/// Packets of c4g_protocol.md to text and back. Nothing here knows of sockets or time.
+/// Converts packets of c4g_protocol.md to text and back. Nothing here knows of sockets or time.
 namespace c4g_driver {
 
 constexpr int kProtocolVersion = 1;              //!< "c4g" of each packet, c4g_protocol.md
@@ -47,7 +47,7 @@ struct FollowPath {
   std::uint64_t path;
   std::uint64_t from;      //!< waypoint
   std::uint32_t checksum;  //!< see PathChecksum
-  double watch = 0.08;     //!< [s] of the client's silence that ends it
+  double watch = 0.08;     //!< [s] of the client's silence that end the path
 };
 struct Stop {};
 struct SetOverride {
@@ -76,10 +76,10 @@ using Request = std::variant<Open, Close, MoveCartesian, MoveCircular, MoveJoint
 /// The command's name on the wire.
 std::string name_of(const Request& request);
 
-/// @throw scan_cell_common::Refused if so much does not fit into a datagram
+/// @throw scan_cell_common::Refused if that many bytes do not fit into a datagram
 void check_size(const std::string& what, std::size_t bytes);
 
-/// @throw scan_cell_common::Refused if a value is not JSON or the packet gets too long
+/// @throw scan_cell_common::Refused if a value is not JSON or the packet is too long
 std::string build(const Request& request, std::uint64_t session, std::uint64_t seq);
 
 /// A datagram of the position stream.
@@ -91,17 +91,17 @@ struct StreamedState {
 
 struct Acknowledgement {
   std::uint64_t session = 0;
-  std::uint64_t seq = 0;                 //!< of the request
+  std::uint64_t seq = 0;                 //!< number of the request
   std::optional<ControllerError> error;  //!< if there is one, nothing was done
   std::optional<RobotState> robot;
-  std::string value;  //!< JSON in printable ASCII, of a parameter; empty where there is none
+  std::string value;  //!< JSON in printable ASCII, value of a parameter; empty if there is none
 };
 
 using Reply = std::variant<StreamedState, Acknowledgement>;
 
-/// Texts of the controller come out as printable ASCII, whatever they are: nothing of them can
-/// command a terminal or begin a line of a log.
-/// @throw scan_cell_common::ProtocolError for anything else than such a datagram
+/// Texts of the controller are reduced to printable ASCII, so that they can neither control a
+/// terminal nor begin a line of a log.
+/// @throw scan_cell_common::ProtocolError for anything but such a datagram
 Reply parse(std::string_view datagram);
 
 }  // namespace c4g_driver

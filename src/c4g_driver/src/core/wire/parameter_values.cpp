@@ -28,8 +28,8 @@ std::optional<double> number_of(const SetParameter& set, const std::string& name
                                         "set " + wanted + "; see c4g_protocol.md");
 }
 
-/// A parameter that is one of two words. What a third one means nobody here knows, so nothing could
-/// be checked before a motion.
+/// A parameter that is one of two words. The meaning of a third one would be unknown, so nothing
+/// could be checked before a motion.
 /// @return whether it is `other`
 bool is_other(const std::string& name, const std::string& text, const std::string& usual,
               const std::string& other) {
@@ -49,7 +49,7 @@ std::optional<double> override_of(const SetParameter& set) {
 std::optional<double> linear_speed_of(const SetParameter& set) {
   const auto speed = number_of(set, "linear_speed");
   if (!speed) return std::nullopt;
-  constexpr double kMillimetresAMetre = 1e3;  // divided by, 700 mm/s is 0.7 m/s to the last digit
+  constexpr double kMillimetresAMetre = 1e3;  // as a divisor: 700 mm/s is 0.7 m/s to the last digit
   return *speed / kMillimetresAMetre;
 }
 

@@ -25,7 +25,7 @@ using Document = rapidjson::GenericDocument<rapidjson::UTF8<>, Pool, Pool>;
 using Json = Document::ValueType;
 
 using scan_cell_common::kMillimetre;
-constexpr double kMaxMagnitude = 1e5;  // mm, deg, %, frames/s: beyond it is nonsense
+constexpr double kMaxMagnitude = 1e5;  // mm, deg, %, frames/s: values beyond it are invalid
 
 [[noreturn]] void refuse(const std::string& key, const std::string& value) {
   throw ProtocolError("C4G packet: " + key, value, "see c4g_protocol.md");
@@ -72,7 +72,7 @@ WireSix six(const Json& packet, const char* key) {
   return result;
 }
 
-/// Angles out of their ranges are not turned back into them: who sends them means something else.
+/// Angles outside their ranges are not wrapped: a sender of such angles means something else.
 WireSix pose(const Json& packet) {
   constexpr double kHalfTurn = 180;
   const WireSix wire = six(packet, "pose");
@@ -100,7 +100,7 @@ ControllerMode mode(const Json& packet) {
   refuse("mode", "none of programming, automatic, remote");
 }
 
-/// A setting that scales how fast the robot goes. With none it would never arrive.
+/// A setting that scales the robot's speed. At 0 it would never arrive.
 double above_zero(const Json& packet, const char* key) {
   const double value = number(entry(packet, key), key);
   if (!(value > 0)) refuse(key, "not above 0");
@@ -108,14 +108,14 @@ double above_zero(const Json& packet, const char* key) {
 }
 
 double percentage(const Json& packet, const char* key) {
-  constexpr double kMost = 100 + 1e-6;  // some controllers compute it
+  constexpr double kMost = 100 + 1e-6;  // some controllers compute it, with rounding
   const double value = above_zero(packet, key);
   if (value > kMost) refuse(key, "above 100");
   return value;
 }
 
-/// Texts go to terminals and logs, which a line feed or an escape code would falsify: every
-/// character but those of printable ASCII becomes a question mark.
+/// Texts go to terminals and logs, which a line feed or an escape code would corrupt, so every
+/// character outside printable ASCII becomes a question mark.
 void assign_printable(std::string_view said, boost::static_string<80>& shown) {
   for (const char c : said) {
     const auto byte = static_cast<unsigned char>(c);
@@ -175,7 +175,7 @@ RobotState robot_state(const Json& packet) {
   return state;
 }
 
-/// The same JSON in printable ASCII: what else is in its texts stands there as \uXXXX.
+/// The same JSON in printable ASCII: all other characters of its texts are written as \uXXXX.
 std::string printable_json(const Json& value) {
   constexpr char kDelete = 0x7F;
   rapidjson::StringBuffer buffer;
@@ -218,8 +218,8 @@ Reply reply(const Json& packet) {
 
 }  // namespace
 
-// All that the parser needs lies on the stack: a datagram has no more values than bytes. Numbers
-// are good to a few units in the last place; RapidJSON's full precision is undefined for 0E42.
+// All memory of the parser is on the stack, as a datagram has no more values than bytes. Numbers
+// are exact to a few units in the last place; RapidJSON's full precision is undefined for 0E42.
 Reply parse(std::string_view datagram) {
   constexpr std::size_t kValues = (kMaxDatagramBytes + 1) * sizeof(Json);
   constexpr unsigned kFlags = rapidjson::kParseInsituFlag | rapidjson::kParseIterativeFlag |

@@ -14,7 +14,7 @@ namespace {
 
 using scan_cell_common::UnusableInput;
 
-// of a path on the wire; c4g_protocol.md
+// limits of a path on the wire; c4g_protocol.md
 constexpr std::size_t kMostWaypoints = 10000;
 constexpr double kLeastSpeed = 1e-5, kMostSpeed = 1.5;  // [m/s]
 constexpr double kMostZone = 0.1;                       // [m]
@@ -27,7 +27,7 @@ void check_range(double value, double least, double most, std::size_t waypoint,
                       fmt::format("give {:g} .. {:g}", least, most));
 }
 
-/// Of the waypoints alone; numbers of the longest session are left room for.
+/// Bytes of the datagram with the longest session and sequence numbers.
 std::size_t bytes_of(const PathPiece& piece) {
   return build(piece, UINT64_MAX, UINT64_MAX).size();
 }

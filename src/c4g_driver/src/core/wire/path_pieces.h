@@ -11,9 +11,9 @@
 
 namespace c4g_driver {
 
-/// The waypoints of a path in pieces that each fit into a datagram, in their order.
+/// The waypoints of a path, in order, in pieces that each fit into a datagram.
 /// @param path its number
-/// @throw scan_cell_common::UnusableInput naming a waypoint that c4g_protocol.md has no place for
+/// @throw scan_cell_common::UnusableInput naming a waypoint that c4g_protocol.md cannot represent
 std::vector<PathPiece> pieces_of(const ToolMotion& motion, std::uint64_t path);
 
 /// CRC-32 over the checksums of a path's datagrams, LOAD_PATH first; c4g_protocol.md.
@@ -23,7 +23,7 @@ class PathChecksum {
   void add(std::string_view datagram);
   std::uint32_t value() const;
 
-  /// How the controller acknowledges what it has.
+  /// The controller's acknowledgement of what it has received.
   std::string confirmation(std::size_t waypoints) const;
 
  private:

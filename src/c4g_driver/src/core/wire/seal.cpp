@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::string_view kKey = ",\"crc\":";
 
-/// The entry that seals these bytes, to the object's closing brace.
+/// The entry that seals these bytes, up to the object's closing brace.
 class Entry {
  public:
   explicit Entry(std::string_view bytes) {

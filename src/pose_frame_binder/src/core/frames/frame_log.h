@@ -12,13 +12,13 @@
 
 namespace pose_frame_binder {
 
-/// What is known of a frame, in the order in which frames pass through the states. A frame never
-/// overtakes one that arrived before it, unless that was dropped.
+/// Progress of a frame, in the order in which frames pass through the states. A frame never
+/// overtakes one that arrived before it, unless that one was dropped.
 enum class FrameState : std::uint8_t {
   kArrived,   //!< waits for the pulses around its stamp
   kHeld,      //!< waits for frames that agree on the counter's offset
-  kAgreed,    //!< has a pulse; waits for frames that agree after it
-  kUnproved,  //!< its pulse is settled but for a wrong latency; waits for proof of that
+  kAgreed,    //!< has a pulse; waits for later frames that agree
+  kUnproved,  //!< its pulse is settled unless the latency is wrong; waits for proof
   kMatched,   //!< its pulse is settled; waits for poses
   kBound,
   kDropped,
@@ -30,8 +30,8 @@ struct FrameRecord {
   Frame frame;
   FrameState state = FrameState::kArrived;
   std::optional<std::size_t>
-      pulse;  //!< index in the pulse log; may be known of a dropped frame too
-  DropReason reason = DropReason::kNoTrigger;  //!< where it is dropped
+      pulse;  //!< index in the pulse log; may also be known for a dropped frame
+  DropReason reason = DropReason::kNoTrigger;  //!< valid if the frame is dropped
 };
 
 /// The frames of a scan, from the first undecided one.
@@ -42,13 +42,13 @@ class FrameLog {
 
   explicit FrameLog(OnDrop on_drop) : on_drop_(std::move(on_drop)) {}
 
-  /// @return its number
+  /// @return the frame's number
   std::size_t add(const Frame& frame);
 
   FrameRecord& operator[](std::size_t number) { return records_[number - first_]; }
 
-  std::size_t first() const { return first_; }                  //!< number of the first held here
-  std::size_t end() const { return first_ + records_.size(); }  //!< how many there were so far
+  std::size_t first() const { return first_; }  //!< number of the first frame held here
+  std::size_t end() const { return first_ + records_.size(); }  //!< number of frames so far
 
   std::size_t count(FrameState state) const { return counts_[static_cast<std::size_t>(state)]; }
 
@@ -65,7 +65,7 @@ class FrameLog {
   OnDrop on_drop_;
   std::deque<FrameRecord> records_;
   std::size_t first_ = 0;
-  std::array<std::size_t, 7> counts_{};  // of the records by FrameState
+  std::array<std::size_t, 7> counts_{};  // number of records by FrameState
 };
 
 }  // namespace pose_frame_binder

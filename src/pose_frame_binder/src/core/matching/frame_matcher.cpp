@@ -10,10 +10,10 @@
 namespace pose_frame_binder {
 namespace {
 
-/// Frames held at most until enough of them agree; then they are dropped.
+/// Most frames held until enough of them agree; beyond it they are dropped.
 constexpr std::size_t kMaxHeld = 64;  // chosen
 
-/// Frames that wait at most for the latency to be proved; then the first of them are dropped.
+/// Most frames that wait for proof of the latency; beyond it the oldest are dropped.
 constexpr std::size_t kMaxUnproved = 64;
 
 constexpr const char* kUnproved =
@@ -45,7 +45,7 @@ void FrameMatcher::advance() {
   while (next_ < frames_.end() && pulses_.settled(frames_[next_].frame.stamp - expected_latency()))
     take(frames_[next_++]);
   const bool last = last_pulse_ && *last_pulse_ + 1 == pulses_.size();
-  // No frame can come that would confirm them.
+  // No further frame can confirm them.
   if (pulses_.ended() && last) confirm_all();
 }
 
@@ -88,7 +88,7 @@ void FrameMatcher::begin_acquisition(std::uint32_t acquisition) {
   last_counter_.reset();
   gaps_.clear();
   settle_unproved();
-  proof_.reset();  // its clock began anew
+  proof_.reset();  // the camera's clock has restarted
 }
 
 PulseLog::Place FrameMatcher::locate(const Frame& frame) const {
@@ -204,7 +204,7 @@ void FrameMatcher::accept(FrameRecord& record) {
   record.pulse = last_pulse_ = place.pulse;
   proof_.add(*place.pulse, place.distance);
   if (proof_.holds()) settle_unproved();
-  constexpr Nanoseconds kMemory = 10;  // frames over which the latency is followed
+  constexpr Nanoseconds kMemory = 10;  // frames over which the latency is averaged
   *latency_ += place.distance / kMemory;
   if (frames_.count(FrameState::kAgreed) == 0) first_agreed_ = record.number;
   frames_.set(record, FrameState::kAgreed);

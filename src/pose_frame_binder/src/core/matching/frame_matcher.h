@@ -16,34 +16,33 @@ namespace pose_frame_binder {
 
 /// Finds the pulse that exposed each frame.
 ///
-/// Within one acquisition and one arming, count = counter - offset. A frame agrees where the pulse
-/// that its counter gives is the one that its stamp gives (stamp - latency, see PulseLog::locate).
+/// Within one acquisition and one arming, count = counter - offset. A frame agrees if its counter
+/// and its stamp give the same pulse (stamp - latency, see PulseLog::locate).
 ///
 /// The offset is elected: frames are held until `frames_to_agree` of them vote for the same one.
-/// From the first frame that does not agree there is doubt: it and those that follow are held, and
-/// vote again. Where the old offset is elected, only those that do not agree with it are dropped.
-/// Where another is, the counter has slipped: `frames_to_agree` - 1 frames on either side of the
-/// slip are dropped as well, since a wrong stamp could have made them fit. So a frame is only told
-/// once that many have followed that agree. The same holds where the camera was started again, and
-/// where the counter does not go on from one arming to the next.
-/// The latency follows the frames that agree.
+/// From the first frame that does not agree, frames are held and vote again. If the old offset
+/// wins, only the frames that do not agree with it are dropped. If another one wins, the counter
+/// has slipped: `frames_to_agree` - 1 frames on either side of the slip are dropped as well, since
+/// a wrong stamp could have made them fit. So a frame is only released once that many frames that
+/// agree have followed. The same applies if the camera was restarted, or if the counter does not
+/// continue from one arming to the next. The latency follows the frames that agree.
 ///
-/// Where the lasers alternate, a latency that is wrong by a pulse interval would give every frame
-/// the other one. Such frames wait until the latency is proved (LatencyProof), and are dropped if
-/// it is not. It stays proved through slips and armings until the camera is started again, since
-/// its clock goes on.
+/// With alternating lasers, a latency that is wrong by a pulse interval would give every frame the
+/// wrong laser. Such frames wait until the latency is proved (LatencyProof), and are dropped if it
+/// is not. It stays proved through slips and armings until the camera is restarted, since the
+/// camera's clock continues.
 class FrameMatcher {
  public:
-  /// Takes the frames of `frames` from kArrived to kMatched or kDropped.
+  /// Moves the frames of `frames` from kArrived to kMatched or kDropped.
   FrameMatcher(const PulseLog& pulses, FrameLog& frames, const Settings& settings);
 
-  /// Goes as far as the pulses that are known allow; all the way once the pulses have ended.
+  /// Goes as far as the known pulses allow; all the way once the pulses have ended.
   void advance();
 
-  /// No more frames will come.
+  /// Call when no more frames will arrive.
   void finish();
 
-  double latency() const;  //!< [s] measured; NaN before the first frame agreed
+  double latency() const;  //!< [s] measured; NaN before the first frame has agreed
   std::uint64_t slips() const { return slips_; }
 
  private:
@@ -91,7 +90,7 @@ class FrameMatcher {
   const PulseLog& pulses_;
   FrameLog& frames_;
   const Settings settings_;
-  const std::size_t margin_;  // frames that must agree after one before it is confirmed
+  const std::size_t margin_;  // frames that must agree after a frame to confirm it
   const Nanoseconds tolerance_;
   const Nanoseconds initial_latency_;
   std::optional<Nanoseconds> latency_;  // measured, from the first election on
@@ -99,7 +98,7 @@ class FrameMatcher {
   std::uint64_t slips_ = 0;
 
   std::size_t next_ = 0;            // number of the first frame in kArrived
-  std::size_t first_held_ = 0;      // of the first in kHeld, where there are such
+  std::size_t first_held_ = 0;      // of the first frame in kHeld, if there is one
   std::size_t first_agreed_ = 0;    // none before it is in kAgreed
   std::size_t first_unproved_ = 0;  // none before it is in kUnproved
   std::map<Offset, Votes> votes_;

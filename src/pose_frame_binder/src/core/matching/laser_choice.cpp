@@ -7,7 +7,7 @@
 namespace pose_frame_binder {
 namespace {
 
-constexpr std::uint8_t kLasers = 2;  // that a mask tells of
+constexpr std::uint8_t kLasers = 2;  // described by a mask
 
 std::string names(std::uint8_t lasers) {
   if (lasers == 1) return "laser_0 alone was";

@@ -22,7 +22,7 @@ void LatencyProof::add(Story& story, int side, std::size_t pulse, Nanoseconds di
   const Nanoseconds interval = pulses_[pulse].time - pulses_[*other].time;
   const Nanoseconds latency = distance + interval;
   if (!story.interval) {
-    // A stamp that is off would be taken for the story's own latency.
+    // A wrong stamp would be taken for the hypothesis' own latency.
     if (std::abs(distance) > std::abs(interval) / 8) return;
     story.interval = interval;
     story.latency = latency;

@@ -70,7 +70,7 @@ PulseLog::Place PulseLog::locate(Nanoseconds time, Nanoseconds tolerance) const 
   const std::size_t right = std::min(after, entries_.size() - 1);
   const std::size_t left = right == 0 ? 0 : right - 1;
   const Nanoseconds interval = entries_[right].pulse.time - entries_[left].pulse.time;
-  constexpr Nanoseconds kMaxPercent = 45;  // of the interval: never a second pulse; chosen
+  constexpr Nanoseconds kMaxPercent = 45;  // of the interval, so never two pulses; chosen
   if (interval > 0) tolerance = std::min(tolerance, interval * kMaxPercent / 100);
 
   const Nanoseconds from_left = time - entries_[left].pulse.time;

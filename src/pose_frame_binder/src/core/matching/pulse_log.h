@@ -9,26 +9,26 @@
 
 namespace pose_frame_binder {
 
-/// All pulses of a scan, in the order of time.
+/// All pulses of a scan, in time order.
 class PulseLog {
  public:
-  /// A repeated pulse, or one earlier than the last, is dropped and counted.
+  /// Adds a pulse. A repeated pulse, or one earlier than the last, is dropped and counted.
   void add(const Pulse& pulse);
 
-  /// No more pulses will come.
+  /// Call when no more pulses will arrive.
   void end() { ended_ = true; }
   bool ended() const { return ended_; }
 
   std::size_t size() const { return entries_.size(); }
   const Pulse& operator[](std::size_t index) const { return entries_[index].pulse; }
 
-  /// Which run of counts the pulse belongs to: an arming of one trigger. A trigger that was started
-  /// again gives the same arming again, and yet another run.
+  /// The run of counts that the pulse belongs to: one arming of one trigger. A restarted trigger
+  /// may repeat an arming number, but that is another run.
   std::uint32_t run(std::size_t index) const { return entries_[index].run; }
 
-  /// The first pulse of a run that has one.
+  /// The first pulse of a run that is not empty.
   std::size_t first_of(std::uint32_t run) const;
-  /// Whether pulses of this run were with different lasers, as far as they are known.
+  /// Whether the known pulses of this run had different lasers.
   bool lasers_vary(std::uint32_t run) const { return runs_[run].vary; }
 
   /// The pulse with this count in this run.
@@ -37,18 +37,18 @@ class PulseLog {
   /// The count of the last pulse of this run; 0 if it has none.
   std::uint64_t last_count(std::uint32_t run) const;
 
-  /// Which pulse happened at an instant.
+  /// The pulse at an instant.
   struct Place {
     std::optional<std::size_t> pulse;  //!< none: no pulse within the tolerance
     Nanoseconds distance = 0;          //!< from the pulse to the instant
   };
 
-  /// The pulse within `tolerance`, and within 0.45 of the interval between the pulses around
-  /// `time`, so that there is never a second one.
+  /// The pulse within `tolerance` of `time`, and within 0.45 of the interval between the pulses
+  /// around it, so that there is never a second one.
   Place locate(Nanoseconds time, Nanoseconds tolerance) const;
 
-  /// Whether locate() would say the same whatever pulses still come, and the pulse after the one
-  /// that it names is known.
+  /// Whether locate() would return the same whatever pulses still arrive, and the pulse after the
+  /// one that it returns is known.
   bool settled(Nanoseconds time) const;
 
   std::uint64_t refused() const { return refused_; }

@@ -26,7 +26,7 @@ void check_number(const char* name, double value, double most) {
                                            fmt::format("give a number above 0, up to {}", most));
 }
 
-/// The settings' motion is that of one arming.
+/// The settings' motion belongs to a single arming.
 void check_first(std::uint32_t pass) {
   if (pass == 0) return;
   throw scan_cell_common::Refused(
@@ -118,7 +118,7 @@ std::optional<PoseAnswer> ConstantSpeedRule::find(std::size_t index, const Pulse
   }
   const auto moved = pose_along(motion, since_start * motion.speed);
   if (!moved) return refuse_beyond_end();
-  // What moved an object from start to `moved` moves the scanner the other way, seen from it.
+  // Seen from the object, the motion from start to `moved` moves the scanner the other way.
   const Eigen::Isometry3d pose =
       motion.object_moves ? motion.start * moved->inverse() * motion.start : *moved;
   return calculated(pose, pulse, motion.speed * std::abs(off));

@@ -11,8 +11,9 @@ namespace pose_frame_binder {
 
 using scan_cell_common::to_seconds;
 
-/// How far the flange was from `used` at the pulse: the distance to the interpolated point, plus
-/// that point's own error; without a pose on the other side, the furthest it can have moved.
+/// Bound on the flange's distance from `used` at the pulse: the distance to the interpolated point
+/// plus that point's own error; without a pose on the other side, the furthest that it can have
+/// moved.
 double FirstPoseRule::position_error(std::size_t used, Nanoseconds time,
                                      const PoseLog& poses) const {
   const bool before = poses[used].time <= time;
@@ -43,10 +44,10 @@ PoseAnswer FirstPoseRule::take(std::size_t used, Rule rule, const Pulse& pulse,
   return answer;
 }
 
-/// Thesis, section 6.2, on the merged time line. T: the poses from this pulse to the next. Two or
-/// more: several poses for one frame, the first of T keeps it. Otherwise the frame belongs to the
-/// last pose at or before it, together with the other frames up to the next pose, of which the
-/// first keeps it.
+/// Thesis, section 6.2, on the merged time line. T: the poses from this pulse to the next. If T has
+/// two or more, several poses fall on one frame, and the first of T keeps it. Otherwise the frame
+/// belongs to the last pose at or before it, together with the other frames up to the next pose;
+/// the first of these keeps the pose.
 std::optional<PoseAnswer> FirstPoseRule::find(std::size_t index, const PulseLog& pulses,
                                               const PoseLog& poses) const {
   constexpr Nanoseconds kNever = std::numeric_limits<Nanoseconds>::max();

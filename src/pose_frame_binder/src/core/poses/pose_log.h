@@ -8,23 +8,23 @@
 
 namespace pose_frame_binder {
 
-/// All poses of a scan, sorted by time. Poses that are settled() do not change any more, so
-/// decisions based on them do not depend on later poses.
+/// All poses of a scan, sorted by time. Settled poses no longer change, so decisions based on them
+/// do not depend on later poses.
 class PoseLog {
  public:
-  /// @param settle how far a pose may come behind a later one [ns]
+  /// @param settle how far a pose may arrive behind a later one [ns]
   PoseLog(Nanoseconds settle, std::size_t max_poses);
 
-  /// A pose that is not finite, comes too late, or has the time of another one is dropped and
-  /// counted.
+  /// Adds a pose. One that is not finite, arrives too late, or has the time of another one is
+  /// dropped and counted.
   /// @throw scan_cell_common::Refused if the log is full
   void add(const TimedPose& pose);
 
-  /// No more poses will come: all is settled.
+  /// Call when no more poses will arrive: all are settled then.
   void end() { ended_ = true; }
   bool ended() const { return ended_; }
 
-  /// Whether no pose at or before `time` can still come.
+  /// Whether no pose at or before `time` can still arrive.
   bool settled(Nanoseconds time) const;
 
   /// Index of the first pose at or after `time`; size() if there is none.
@@ -41,7 +41,7 @@ class PoseLog {
   Nanoseconds settle_;
   std::size_t max_;
   bool ended_ = false;
-  std::deque<TimedPose> poses_;  // a vector would pause to copy all when it grows
+  std::deque<TimedPose> poses_;  // a vector would pause to copy everything when it grows
   std::uint64_t repeated_ = 0;
   std::uint64_t late_ = 0;
   std::uint64_t unusable_ = 0;

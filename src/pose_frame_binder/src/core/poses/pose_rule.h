@@ -21,16 +21,16 @@ struct PoseAnswer {
   EIGEN_MAKE_ALIGNED_OPERATOR_NEW
 };
 
-/// How a pulse gets its pose (docs/pose_frame_binder.md states the rules).
+/// A rule by which a pulse gets its pose (docs/pose_frame_binder.md states the rules).
 class PoseRule {
  public:
   virtual ~PoseRule() = default;
 
-  /// The motion of the next run of pulses, for those who need to know; as check() took it.
+  /// Announces the motion of the next run of pulses, accepted by check(), for rules that need it.
   virtual void start_run(const std::optional<ConstantSpeed>&) {}
 
-  /// @param run that a pulse has come of
-  /// @throw scan_cell_common::Refused where it needs that run's motion, and nobody told it
+  /// @param run of a pulse that has arrived
+  /// @throw scan_cell_common::Refused if the rule needs the run's motion and it was not announced
   virtual void check_told(std::uint32_t /*run*/) const {}
 
   /// @param pulse index in the log

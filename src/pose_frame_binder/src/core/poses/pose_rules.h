@@ -9,7 +9,7 @@
 
 namespace pose_frame_binder {
 
-/// Between the last pose before and the first pose at or after the pulse.
+/// Interpolates between the last pose before and the first pose at or after the pulse.
 class InterpolationRule : public PoseRule {
  public:
   explicit InterpolationRule(const Settings& settings) : settings_(settings) {}
@@ -48,8 +48,8 @@ class ConstantSpeedRule : public PoseRule {
   const Settings settings_;
 };
 
-/// The same along the line that was told of each run: the first pulse where the robot was measured
-/// then, or at the start where it was not.
+/// The same along the line announced for each run. The first pulse is where the robot was measured
+/// then, or at the start if it was not measured.
 class ToldMotionRule : public PoseRule {
  public:
   explicit ToldMotionRule(const Settings& settings) : settings_(settings), measured_(settings) {}
@@ -64,7 +64,7 @@ class ToldMotionRule : public PoseRule {
   std::vector<ConstantSpeed> runs_;
 };
 
-/// @return none where the way [m] from the start leads beyond the end
+/// @return none if the way [m] from the start leads beyond the end
 std::optional<Eigen::Isometry3d> pose_along(const ConstantSpeed& motion, double way);
 
 /// A calculated pose.
@@ -74,8 +74,9 @@ PoseAnswer refuse_beyond_end();
 PoseAnswer refuse(DropReason reason, const std::string& detail);
 PoseAnswer refuse_gap(double gap, const Settings& settings);
 
-/// How far the true path may be from the straight line between two measured positions, at `time`
-/// between them: a t (T - t) / 2 for an acceleration of at most a (error of linear interpolation).
+/// Bound on the distance of the true path from the straight line between two measured positions, at
+/// `time` between them: a t (T - t) / 2 for an acceleration of at most a (error of linear
+/// interpolation).
 double line_error(const TimedPose& before, const TimedPose& after, Nanoseconds time,
                   const Settings& settings);
 

@@ -15,7 +15,7 @@ namespace pose_frame_binder {
 std::array<double, 6> to_document_units(const Eigen::Isometry3d& pose) {
   using scan_cell_common::kDegrees;
   using scan_cell_common::kMillimetres;
-  constexpr double kUpright = 1e-9;  // cos(ry) below which rx and rz have one axis; chosen
+  constexpr double kUpright = 1e-9;  // cos(ry) below which rx and rz share an axis; chosen
   const Eigen::Matrix3d r = pose.linear();
   const double cosine = std::hypot(r(0, 0), r(1, 0));
   const double ry = std::atan2(-r(2, 0), cosine);

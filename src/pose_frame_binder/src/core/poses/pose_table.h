@@ -20,7 +20,7 @@ class PoseTable {
  public:
   void add(std::uint64_t frame_counter, const Eigen::Isometry3d& pose);
 
-  /// No more frames will come.
+  /// Call when no more frames will arrive.
   void seal();
 
   /// The answer to one line, without its end: `x,y,z,rx,ry,rz` of the frame with this number;

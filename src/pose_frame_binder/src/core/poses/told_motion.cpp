@@ -13,7 +13,7 @@ using scan_cell_common::to_seconds;
 
 namespace {
 
-/// [m] along the line to the point next to `position`.
+/// Way [m] along the line to the point nearest to `position`.
 double way_to(const Eigen::Vector3d& position, const ConstantSpeed& motion) {
   const Eigen::Vector3d line = motion.end.translation() - motion.start.translation();
   const double way = (position - motion.start.translation()).dot(line.normalized());

@@ -31,7 +31,7 @@ struct Equations {
   Eigen::Vector3d gradient = Eigen::Vector3d::Zero();
 };
 
-/// Scattered normals seem to separate the delay from a shift even where the surface does not: the
+/// Noisy normals seem to separate the delay from a shift even where the surface does not, so the
 /// information due to their noise is subtracted (errors in variables).
 double deviation_of_delay(const Equations& all, const Eigen::Matrix3d& prior) {
   Eigen::Matrix3d measured = all.information - prior;
@@ -73,13 +73,14 @@ double jackknife(const Equations& all, const std::map<int, Equations>& blocks) {
 OffsetFit fit_offset(const std::vector<OffsetPair>& pairs) {
   constexpr int kSteps = 20;               // chosen
   constexpr double kTukey = 4.685;         // standard deviations: 95 % efficient for normal noise
-  constexpr double kAlmostNothing = 1e-6;  // [1/s^2] about the delay: makes an inverse; chosen
+  constexpr double kAlmostNothing = 1e-6;  // [1/s^2] about the delay: ensures an inverse; chosen
   constexpr double kShift = 1e-3;          // [m] expected offset across the motion; chosen
   const Eigen::Matrix3d prior =
       Eigen::Vector3d(kAlmostNothing, 1 / (kShift * kShift), 1 / (kShift * kShift)).asDiagonal();
   OffsetFit fit;
   for (int step = 0; step < kSteps; ++step) {
-    // Separate, or the many flats would turn all slopes into outliers while the delay is far off.
+    // Separate, since the many flats would turn all slopes into outliers while the delay is far
+    // off.
     const double of_flats = robust_deviation(pairs, false, fit.solution);
     const double of_slopes = std::max(of_flats, robust_deviation(pairs, true, fit.solution));
     Equations all;

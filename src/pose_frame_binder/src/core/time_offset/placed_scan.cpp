@@ -65,7 +65,7 @@ std::optional<PlacedScan::Patch> PlacedScan::patch_at(const Eigen::Vector3d& pla
   constexpr std::size_t kPoints = 12;  // chosen
   constexpr double kIndependent = 3;   // of them: points of a line share its pose's error; chosen
   constexpr double kFlat = 0.1;        // thickness over width of a plane; chosen
-  constexpr double kInside = 1.0;      // distance from the middle over width; chosen
+  constexpr double kInside = 1.0;      // distance from the centre over width; chosen
   std::array<Tree::Index, kPoints> indices;
   std::array<double, kPoints> squares;
   if (tree_->nearest(place.data(), kPoints, indices.data(), squares.data()) < kPoints ||

@@ -10,8 +10,8 @@
 
 namespace pose_frame_binder {
 
-/// The points of a scan, with the poses taken `delay` later than the pulses, and how they move with
-/// the delay.
+/// The points of a scan, placed with the poses taken `delay` later than the pulses, and how they
+/// move with the delay.
 class PlacedScan {
  public:
   struct Point {
@@ -23,11 +23,11 @@ class PlacedScan {
   struct Patch {
     Eigen::Vector3d middle;
     Eigen::Vector3d normal;
-    Eigen::Matrix3d normal_noise;  //!< covariance of the normal, from how rough the patch is
+    Eigen::Matrix3d normal_noise;  //!< covariance of the normal, from the patch's roughness
     Eigen::Vector3d velocity;
   };
 
-  /// @param most points; if there are more, an even selection is kept
+  /// @param most most points kept; if there are more, an even selection
   PlacedScan(const UnboundScan& scan, double delay, std::size_t most,
              const TimeOffsetSettings& settings);
   PlacedScan(const PlacedScan&) = delete;  // the tree refers to the points
@@ -39,7 +39,7 @@ class PlacedScan {
   /// None if nothing is near, or the points there are not a plane or lie on one side only.
   std::optional<Patch> patch_at(const Eigen::Vector3d& place) const;
 
-  /// To the nearest point [m].
+  /// Distance to the nearest point [m].
   double distance(const Eigen::Vector3d& place) const;
 
  private:

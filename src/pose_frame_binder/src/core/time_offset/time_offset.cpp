@@ -19,9 +19,9 @@ namespace {
 using scan_cell_common::UnusableInput;
 
 constexpr std::size_t kMaxPoints = 60'000;  // of a scan, in its tree; chosen
-constexpr std::size_t kMaxAsked = 5'000;    // of a scan, looked for in the other; chosen
+constexpr std::size_t kMaxAsked = 5'000;    // of a scan, paired with the other; chosen
 
-/// The motion's direction, and two across it.
+/// The motion's direction and two directions across it.
 struct Axes {
   Eigen::Vector3d along, first, second;
 };
@@ -34,8 +34,8 @@ Axes axes_of(const Eigen::Vector3d& velocity) {
   return axes;
 }
 
-/// Points of `asked` on the planes of `there`.
-/// @param sign +1 where `asked` is the scan that goes back: the shifts are its
+/// Pairs points of `asked` with the planes of `there`.
+/// @param sign +1 if `asked` is the backward scan, to which the shifts refer
 void pair_up(const PlacedScan& asked, const PlacedScan& there, double sign, const Axes& axes,
              const TimeOffsetSettings& settings, std::vector<OffsetPair>& pairs) {
   constexpr double kBlock = 0.01;  // [m] chosen
@@ -63,7 +63,8 @@ void pair_up(const PlacedScan& asked, const PlacedScan& there, double sign, cons
 std::vector<OffsetPair> pair_up(const PlacedScan& forward, const PlacedScan& backward,
                                 const Axes& axes, const TimeOffsetSettings& settings) {
   std::vector<OffsetPair> pairs;
-  // In both directions: the distance of a curved surface from its patches' planes cancels out.
+  // In both directions, so that the distance of a curved surface from its patches' planes cancels
+  // out.
   pair_up(backward, forward, 1, axes, settings, pairs);
   pair_up(forward, backward, -1, axes, settings, pairs);
   return pairs;
@@ -76,8 +77,8 @@ double root_mean_square(const std::vector<OffsetPair>& pairs) {
   return std::sqrt(sum / static_cast<double>(std::max<std::size_t>(pairs.size(), 1)));
 }
 
-/// The delay at which the points of one scan are nearest to those of the other, to about a
-/// millimetre: they move with their velocities.
+/// The delay at which the points of one scan, moved with their velocities, are nearest to those of
+/// the other, to about a millimetre.
 double search(const PlacedScan& forward, const PlacedScan& backward,
               const TimeOffsetSettings& settings) {
   constexpr double kStep = 1e-3;        // [m] chosen

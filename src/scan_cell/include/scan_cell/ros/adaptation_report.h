@@ -10,7 +10,7 @@
 
 namespace scan_cell {
 
-/// What belongs to an adaptation in a running cell, besides the stretcher's result.
+/// Data about an adaptation in a running cell, besides the stretcher's result.
 struct AdaptationRecord {
   std::string reference;         //!< file
   std::string path;              //!< file, proven on the reference
@@ -21,8 +21,8 @@ struct AdaptationRecord {
   CalibrationFiles calibration;  //!< of the cell
 };
 
-/// The stretcher's report with the files, what the cell was calibrated with, and how the passes of
-/// the scan agree. A calibration file that is not on this machine has no hash: null.
+/// The stretcher's report, completed with the files, the cell's calibration, and how the passes of
+/// the scan agree. A calibration file that is not on this machine has the hash null.
 /// @throw scan_cell_common::FileError if one of the files of the adaptation cannot be read
 std::string completed(const std::string& report, const AdaptationRecord& record,
                       const scan_cell_msgs::CloudStatistics& scan);

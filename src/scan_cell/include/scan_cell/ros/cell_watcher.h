@@ -8,9 +8,9 @@
 
 namespace scan_cell {
 
-/// Makes this node one that can watch over goals of the cell: it listens to the cell's state. A
-/// goal whose field `watcher` names it is cancelled where this process dies, SIGKILL too: the
-/// kernel closes its connection.
+/// Lets this node watch over goals of the cell, by subscribing to the cell's state. A goal whose
+/// field `watcher` names this node is cancelled if this process dies, even by SIGKILL: the kernel
+/// closes its connection.
 class CellWatcher {
  public:
   /// @param state topic of the cell
@@ -19,7 +19,7 @@ class CellWatcher {
   /// Waits until the cell is connected.
   /// @param timeout [s]
   /// @return this node's name, for a goal's field `watcher`
-  /// @throw scan_cell_common::ConnectionError if it is not within that time
+  /// @throw scan_cell_common::ConnectionError if it is not connected within that time
   std::string name(double timeout) const;
 
  private:

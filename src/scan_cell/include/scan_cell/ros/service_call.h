@@ -17,8 +17,8 @@
 
 namespace scan_cell {
 
-/// Asks a service and waits at most `timeout` [s]: roscpp alone would wait for ever on a node or a
-/// master that hangs, and minutes for a computer that is gone.
+/// Calls a service and waits at most `timeout` [s]. roscpp alone would wait for ever for a node or
+/// a master that hangs, and minutes for a computer that is gone.
 /// @throw ConnectionError if there is no such service, or no answer in time
 template <class Service>
 typename Service::Response ask(const std::string& name, const typename Service::Request& request,
@@ -28,18 +28,18 @@ typename Service::Response ask(const std::string& name, const typename Service::
     Service service;
     std::promise<End> end;
   };
-  const auto shared = std::make_shared<Call>();  // outlives a call that is given up
+  const auto shared = std::make_shared<Call>();  // outlives an abandoned call
   shared->service.request = request;
   std::future<End> future = shared->end.get_future();
   std::thread([shared, name] {
     try {
-      // Looked for only where it fails: that takes as long as the call. One that is there then may
-      // have come up in between, as where a cell starts: it is asked once more.
+      // Looked up only if the call fails, since that takes as long as the call. A service found
+      // then may just have come up, as when a cell starts, so it is called once more.
       bool answered = ros::service::call(name, shared->service);
       const bool exists = answered || ros::service::exists(name, false);
       if (!answered && exists) answered = ros::service::call(name, shared->service);
       shared->end.set_value(answered ? End::kAnswered : exists ? End::kNoAnswer : End::kNoService);
-    } catch (const std::exception& error) {  // of a name that is none
+    } catch (const std::exception& error) {  // from an invalid name
       ROS_ERROR("%s: %s", name.c_str(), error.what());
       shared->end.set_value(End::kNoService);
     }
@@ -57,13 +57,13 @@ typename Service::Response ask(const std::string& name, const typename Service::
   return shared->service.response;
 }
 
-/// Throws what a service answered, if it was success: false.
+/// Throws the message of a service's answer if it was success: false.
 template <class Response>
 void check_answer(const std::string& name, const Response& response) {
   if (!response.success) throw scan_cell_common::Refused(name, "refused", response.message);
 }
 
-/// As ask(), for services whose answer is only good where they succeed.
+/// As ask(), for services whose answer is only valid on success.
 /// @throw Refused with the service's own message if it answers success: false
 template <class Service>
 typename Service::Response call(const std::string& name, const typename Service::Request& request,

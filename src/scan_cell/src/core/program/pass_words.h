@@ -8,10 +8,10 @@
 
 namespace scan_cell {
 
-/// Of the lasers in a program's file, in the order of PassLasers.
+/// Words for the lasers in a program's file, in the order of PassLasers.
 constexpr std::array kLaserWords = {"0", "1", "each", "alternate"};
 
-/// Of the ways in a program's file, in the order of PassKind, which begins with 1.
+/// Words for the ways in a program's file, in the order of PassKind, which begins with 1.
 constexpr std::array kWayWords = {"line", "arc", "poses"};
 
 inline const char* word_of(PassLasers lasers) {

@@ -72,7 +72,7 @@ ScanPass read_pass(const YamlEntry& entry) {
   return pass;
 }
 
-/// As programs were before there were passes.
+/// Reads the form of programs before there were passes.
 ScanPass read_one_line(const YamlEntry& root) {
   root.refuse_unknown({"frame", "start", "end", "speed", "rate", "laser"});
   ScanPass pass;

@@ -25,15 +25,15 @@ double degrees(double angle) {
   return angle * 180 / M_PI;
 }
 
-/// [rad] at a corner of the triangle with two others. The arc between those, seen from the circle's
-/// centre, is twice that.
+/// Angle [rad] of a triangle at one corner. The arc between the other two corners, seen from the
+/// circle's centre, is twice that.
 double angle_at(const Eigen::Vector3d& corner, const Eigen::Vector3d& one,
                 const Eigen::Vector3d& other) {
   const Eigen::Vector3d first = one - corner, second = other - corner;
   return std::atan2(first.cross(second).norm(), first.dot(second));
 }
 
-/// One pass with its name, to refuse.
+/// Checks one pass, and refuses it by name.
 class PassCheck {
  public:
   PassCheck(const ScanPass& pass, std::size_t index, const ScanLimits& limits)
@@ -106,8 +106,8 @@ class PassCheck {
     }
   }
 
-  /// Between two poses the flange turns the shorter way round. Where they are more than half of the
-  /// circle apart, a flange that was to turn with the arc would turn back.
+  /// Between two poses the flange turns the shorter way round. If they are more than half the
+  /// circle apart, a flange that should turn with the arc would turn back.
   void check_turn() const {
     const auto& poses = pass_.poses;
     const auto point = [&poses](std::size_t i) { return poses[i].translation(); };
@@ -130,11 +130,11 @@ class PassCheck {
   const ScanLimits& limits_;
 };
 
-/// Of the circle through three points, from the first over the second to the third: its angle at
-/// the centre is twice that at the circumference.
+/// Length of the arc through three points, from the first over the second to the third. The angle
+/// at the centre is twice that at the circumference.
 double arc_length(const Eigen::Vector3d& start, const Eigen::Vector3d& via,
                   const Eigen::Vector3d& end) {
-  constexpr double kStraight = 1e-3;  // [rad] chosen: 0.1 m of it bulge by 25 um
+  constexpr double kStraight = 1e-3;  // [rad] chosen: over 0.1 m the arc bulges by 25 um
   const double at_via = angle_at(via, start, end);
   const double half = M_PI - at_via;  // half of the arc's angle at the centre
   if (half < kStraight || at_via < kStraight) return std::numeric_limits<double>::quiet_NaN();

@@ -13,7 +13,7 @@ using scan_cell_common::Refused;
 
 namespace {
 
-/// The motions of a program, and for a person what each is.
+/// The motions of a program, and a description of each for a person.
 struct ProgramMoves {
   std::vector<PlannedMove> moves;
   std::vector<std::string> names;
@@ -47,7 +47,7 @@ std::string text_of(const std::optional<Eigen::Vector3d>& place) {
   return fmt::format(" at {:.3f} {:.3f} {:.3f} m of its base", place->x(), place->y(), place->z());
 }
 
-/// @throw Refused naming the pass, and the place in it
+/// @throw Refused naming the pass and the place in it
 std::vector<std::string> check_reach(Robot& robot, const std::vector<ScanRun>& runs,
                                      double approach_speed) {
   const ProgramMoves program = moves_of(runs, approach_speed);
@@ -76,7 +76,7 @@ bool needs_exposure(const ScanRun& run) {
   return run.lighting.alternate && !run.camera.exposure;
 }
 
-/// Of what the camera alone knows.
+/// Warnings about what only the camera knows.
 std::vector<std::string> only_tried_by_a_scan(const std::vector<ScanRun>& runs) {
   std::vector<std::string> warnings;
   const auto add = [&](const std::string& what, const std::string& passes) {

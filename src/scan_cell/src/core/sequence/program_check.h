@@ -11,32 +11,32 @@
 
 namespace scan_cell {
 
-/// Those that are asked before a program is begun. None of them does anything then.
+/// Devices that are asked before a program begins. None of them does anything then.
 struct AskedBefore {
   Robot& robot;
   Trigger& trigger;
   Stages& stages;
 };
 
-/// Asks binder and triangulation whether they would take all runs of a program, and the robot
+/// Asks binder and triangulation whether they would accept all runs of a program, and the robot
 /// whether it could carry out all its motions from where it stands: the ways to the starts and the
 /// runs. Nothing moves.
 /// @param approach_speed [m/s] to the starts
 /// @return for a person: what could not be checked
-/// @throw EndEarly refused, naming the pass, and the place in it; or that one does not answer
+/// @throw EndEarly if refused, naming the pass and the place in it; or if one does not answer
 std::vector<std::string> check_runs(const AskedBefore& asked, const std::vector<ScanRun>& runs,
                                     double approach_speed);
 
 /// Asks the trigger whether it would be armed for a run.
-/// @param exposure [s] of the camera in it; looked at only where lasers take turns
-/// @return for a person: that it could not be checked; empty: it was
-/// @throw EndEarly refused, naming the pass; or that the trigger does not answer
+/// @param exposure [s] of the camera in it; only used if the lasers take turns
+/// @return for a person: that it could not be checked; empty: it was checked
+/// @throw EndEarly if refused, naming the pass; or if the trigger does not answer
 std::string check_arming(Trigger& trigger, const ScanRun& run, double exposure);
 
-/// All that can be told of a program while the cell is left as it is: check_runs(), and
-/// check_arming() as far as the program tells the exposure.
+/// All checks of a program that leave the cell as it is: check_runs(), and check_arming() for
+/// passes whose exposure the program gives.
 /// @return for a person: what could not be checked, and what only a scan tries
-/// @throw EndEarly as those
+/// @throw EndEarly as these
 std::vector<std::string> check_at_rest(const AskedBefore& asked, const std::vector<ScanRun>& runs,
                                        double approach_speed);
 

@@ -7,7 +7,7 @@
 namespace scan_cell {
 namespace {
 
-constexpr std::uint8_t kLaser0 = 1;  // bits, as the trigger has them
+constexpr std::uint8_t kLaser0 = 1;  // bits as in the trigger
 constexpr std::uint8_t kLaser1 = 2;
 
 std::vector<Lighting> lightings_of(PassLasers lasers) {

@@ -43,7 +43,7 @@ SequenceEnd ScanSequence::run(const ScanRequest& request, const WhyToCancel& why
     passes_finished_ = request.passes.size();
   } catch (const EndEarly& early) {
     end = {early.outcome, early.message};
-  } catch (const std::exception& error) {  // whatever it is: the cell must be made safe
+  } catch (const std::exception& error) {  // of any kind: the cell must be made safe
     end = {Outcome::kStageFailed, error.what()};
   }
   return finish(end);
@@ -61,8 +61,8 @@ void ScanSequence::begin() {
   capturing_ = stages_started_ = false;
 }
 
-/// Settings that a pass asks for, on the camera itself, which knows best what it can be set to; and
-/// whether the trigger would be armed, which depends on the exposure where lasers take turns.
+/// Tries the settings of the passes on the camera itself, which knows best what is possible, and
+/// asks whether the trigger would be armed, which depends on the exposure if lasers take turns.
 void ScanSequence::try_devices() {
   std::string unchecked;
   for (const ScanRun& run : runs_) {
@@ -72,8 +72,8 @@ void ScanSequence::try_devices() {
   if (!unchecked.empty()) warnings_.push_back(unchecked);
 }
 
-/// Each setting once.
-/// @return [s] its exposure with it
+/// Tries each setting once.
+/// @return [s] exposure with this setting
 double ScanSequence::try_camera(const ScanRun& run) {
   for (const auto& [settings, exposure] : exposures_) {
     if (settings == run.camera) return exposure;
@@ -91,7 +91,7 @@ double ScanSequence::try_camera(const ScanRun& run) {
 
 void ScanSequence::start_camera(const PassCamera& settings) {
   if (camera_settings_ == settings) return;
-  camera_settings_ = PassCamera();  // whatever comes of it, it is to be restored
+  camera_settings_ = PassCamera();  // whatever happens, they must be restored
   camera_.start(settings);
   camera_settings_ = settings;
 }
@@ -170,14 +170,14 @@ void ScanSequence::finish_stages(SequenceEnd& end) {
   try {
     const std::string lost = find_lost_frames(stages_.bind(armings_, patience));
     if (whole && !lost.empty()) worsen(end, Outcome::kCameraLost, lost);
-  } catch (const std::exception& error) {  // whatever it is: the camera is to be restored
+  } catch (const std::exception& error) {  // of any kind: the camera must be restored
     worsen(end, Outcome::kStageFailed, error.what());
   }
   try {
     stages_.triangulate(end.outcome == Outcome::kFinished, patience);
     const std::string apart = stages_.disagreement();
     if (!apart.empty()) worsen(end, Outcome::kPassesDisagree, apart);
-  } catch (const std::exception& error) {  // whatever it is: the camera is to be restored
+  } catch (const std::exception& error) {  // of any kind: the camera must be restored
     worsen(end, Outcome::kStageFailed, error.what());
   }
 }
@@ -204,7 +204,7 @@ void ScanSequence::step(int number, const std::string& name) {
 /// @param share of the step, 0 .. 1
 void ScanSequence::show(double share) {
   constexpr double kSteps = 8;
-  constexpr int kOfRuns = 6;  // the first steps, which belong to the runs
+  constexpr int kOfRuns = 6;  // the first steps, which belong to runs
   const double steps = progress_.step - 1 + share;
   if (progress_.step <= kOfRuns && !runs_.empty()) {
     const auto run = static_cast<double>(run_);
@@ -215,7 +215,7 @@ void ScanSequence::show(double share) {
   observer_.on_progress(progress_);
 }
 
-/// @param begun, part the motion is this part of the step, after what was begun
+/// @param begun, part the motion is `part` of the step, after `begun` of it
 void ScanSequence::wait_for_motion(double begun, double part) {
   supervisor_.wait_for_motion([=](double progress) { show(begun + part * progress); });
 }

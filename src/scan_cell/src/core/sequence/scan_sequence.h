@@ -15,7 +15,7 @@
 
 namespace scan_cell {
 
-/// How far a scan is.
+/// Progress of a scan.
 struct ScanProgress {
   std::size_t pass = 0;  //!< from 0
   int step = 0;          //!< 1 .. 8
@@ -23,32 +23,32 @@ struct ScanProgress {
   double whole = 0;      //!< 0 .. 1, of the scan
 };
 
-/// Hears how a scan goes on.
+/// Is told of the progress of a scan.
 class ScanObserver {
  public:
   virtual ~ScanObserver() = default;
   virtual void on_progress(const ScanProgress& progress) = 0;
-  /// From here on profiles belong to the scan / no longer do.
+  /// From here on, profiles belong to the scan, or no longer do.
   virtual void on_capture_begins() = 0;
   virtual void on_capture_ends() = 0;
 };
 
 /// The eight steps of a scan (thesis, section 6.1): read the positions; move to the start; set
 /// speed, linear motion and interpolation; prepare binder and triangulation; start the camera; move
-/// to the end while the trigger pulses; stop; bind and triangulate. Of a scan with several passes
-/// each does the steps 2 to 6; binder, triangulation and camera are started once. Between passes
-/// the lasers are off. Before anything moves all motions of all passes are checked, all settings of
-/// the camera are tried, and the trigger is asked about all armings. A pass with other settings
-/// starts the camera anew.
+/// to the end while the trigger pulses; stop; bind and triangulate. In a scan with several passes,
+/// each does steps 2 to 6; binder, triangulation and camera are started once. Between passes the
+/// lasers are off. Before anything moves, all motions of all passes are checked, all camera
+/// settings are tried, and the trigger is asked about all armings. A pass with other settings
+/// restarts the camera.
 ///
-/// Whatever goes wrong, the lasers go off first, the robot stops, and what was captured is still
+/// On any failure the lasers go off first, then the robot stops, and what was captured is still
 /// made into a cloud.
 class ScanSequence {
  public:
   struct Timing : Supervisor::Timing {
     double approach_speed = 0.2;          //!< [m/s] to the start
     double patience = 3.0;                //!< [s] for late frames and poses at the end of a scan
-    double patience_after_failure = 0.3;  //!< [s] the same where the scan ended early
+    double patience_after_failure = 0.3;  //!< [s] the same if the scan ended early
   };
 
   ScanSequence(Robot& robot, Camera& camera, Trigger& trigger, Stages& stages,
@@ -57,10 +57,10 @@ class ScanSequence {
   /// Runs the whole scan in the calling thread.
   SequenceEnd run(const ScanRequest& request, const WhyToCancel& why_to_cancel);
 
-  /// Of the latest scan, those that were scanned to their end.
+  /// Number of passes of the latest scan that were scanned to their end.
   std::size_t passes_finished() const { return passes_finished_; }
 
-  /// Of the latest scan: what else a person should know.
+  /// What else a person should know about the latest scan.
   const std::vector<std::string>& warnings() const { return warnings_; }
 
  private:
@@ -90,14 +90,14 @@ class ScanSequence {
   Supervisor supervisor_;
 
   std::vector<ScanRun> runs_;
-  std::size_t run_ = 0;  // of them, the one under way
+  std::size_t run_ = 0;  // index of the present run
   std::size_t passes_finished_ = 0;
   std::vector<std::string> warnings_;
-  std::vector<ArmingPulses> armings_;   // those with pulses
+  std::vector<ArmingPulses> armings_;   // the armings with pulses
   std::vector<std::string> armed_for_;  // names of their runs
   ScanProgress progress_;
-  std::optional<PassCamera> camera_settings_;  // with which it was started; none: it was not
-  std::vector<std::pair<PassCamera, double>> exposures_;  // [s] with the settings that were tried
+  std::optional<PassCamera> camera_settings_;  // with which it was started; none: not started
+  std::vector<std::pair<PassCamera, double>> exposures_;  // [s] with the settings tried
   bool stages_started_ = false;
   bool capturing_ = false;
 };

@@ -10,8 +10,8 @@
 
 namespace scan_cell {
 
-/// How a sequence ended; the values that the results of the cell's actions share. Theirs is 0 where
-/// none began.
+/// How a sequence ended; values shared by the results of the cell's actions, which use 0 if none
+/// began.
 enum class Outcome : std::uint8_t {
   kFinished = 1,
   kRefused = 2,
@@ -20,8 +20,8 @@ enum class Outcome : std::uint8_t {
   kCameraLost = 5,
   kTriggerLost = 6,
   kMotionFailed = 7,
-  kStageFailed = 8,  //!< what the data goes to: binder and triangulation, or the session's folder
-  kPassesDisagree = 9,  //!< of a scan
+  kStageFailed = 8,     //!< binder or triangulation, or the session's folder
+  kPassesDisagree = 9,  //!< scans only
 };
 
 struct SequenceEnd {
@@ -29,18 +29,16 @@ struct SequenceEnd {
   std::string message;
 };
 
-/// Asked again and again while a sequence runs, by its thread: why it is to end early; empty: it
-/// goes on.
+/// Called again and again by the sequence's thread while it runs: why to end early; empty: go on.
 using WhyToCancel = std::function<std::string()>;
 
-/// Ends a sequence early, from any depth of it.
+/// Thrown to end a sequence early, from any depth.
 struct EndEarly {
   Outcome outcome;
   std::string message;
 };
 
-/// Carries out what belongs to one device; an error of it ends the sequence with that device's
-/// outcome.
+/// Runs a call to one device; an error ends the sequence with that device's outcome.
 template <class Call>
 auto on(Outcome outcome, const Call& call) {
   try {
@@ -50,7 +48,7 @@ auto on(Outcome outcome, const Call& call) {
   }
 }
 
-/// The same, and tells a device that refuses from one that is lost.
+/// The same, but distinguishes a device that refuses from one that is lost.
 template <class Call>
 auto on(Outcome refused, Outcome lost, const Call& call) {
   try {
@@ -62,14 +60,14 @@ auto on(Outcome refused, Outcome lost, const Call& call) {
   }
 }
 
-/// Carries out what the robot is asked for: where it refuses no motion comes, and any other error
-/// loses it.
+/// Runs a request to the robot: a refusal means that the motion failed, any other error that the
+/// robot is lost.
 template <class Call>
 auto on_robot(const Call& call) {
   return on(Outcome::kMotionFailed, Outcome::kRobotLost, call);
 }
 
-/// Adds what went wrong besides, or after all was well.
+/// Adds a further problem, or one that arose after all was well.
 inline void worsen(SequenceEnd& end, Outcome outcome, const std::string& why) {
   if (end.outcome == Outcome::kFinished) {
     end = {outcome, why};

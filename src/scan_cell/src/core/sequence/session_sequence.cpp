@@ -12,11 +12,11 @@
 namespace scan_cell {
 namespace {
 
-constexpr double kMoving = 0.5;  // of the time that a pose takes; a guess for the bar
+constexpr double kMoving = 0.5;  // share of the time of a pose; a guess for the progress bar
 
 /// [Hz] of the pulses with an exposure [s]
 double rate_for(double exposure, double most) {
-  constexpr double kDuty = 0.5;  // of a period that may be exposure; chosen
+  constexpr double kDuty = 0.5;  // share of a period that may be exposure; chosen
   return std::min(most, kDuty / exposure);
 }
 
@@ -41,7 +41,7 @@ SessionEnd SessionSequence::run(const SessionRequest& request, const WhyToCancel
     record(request, result);
   } catch (const EndEarly& early) {
     result.end = {early.outcome, early.message};
-  } catch (const std::exception& error) {  // whatever it is: the cell must be made safe
+  } catch (const std::exception& error) {  // of any kind: the cell must be made safe
     result.end = {Outcome::kStageFailed, error.what()};
   }
   finish(result.end);
@@ -72,7 +72,7 @@ void SessionSequence::record(const SessionRequest& request, SessionEnd& result) 
   }
 }
 
-/// A trigger that cannot tell is found out at the first pose.
+/// A trigger that cannot check shows at the first pose.
 void SessionSequence::check_armings(const SessionRequest& request) {
   const auto check_arming = [this](double exposure, std::uint8_t lasers) {
     on(Outcome::kRefused, Outcome::kTriggerLost, [&] {
@@ -117,8 +117,8 @@ void SessionSequence::move_to(const Eigen::Isometry3d& flange) {
   }
 }
 
-/// Only a target that the robot did not take is skipped. Where it was stopped, or made no way, or
-/// could not move, it would move by itself once it can again.
+/// Skips only a target that the robot refused. If the robot was stopped, made no progress or could
+/// not move, it would otherwise move by itself once it can again.
 void SessionSequence::skip_or_end(const EndEarly& failure) {
   if (failure.outcome != Outcome::kMotionFailed ||
       robot_.motion().state != Motion::State::kFailed) {

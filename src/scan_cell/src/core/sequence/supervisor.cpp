@@ -76,7 +76,7 @@ void Supervisor::wait_for_motion(const std::function<void(double)>& on_progress)
 
 void Supervisor::arm(double rate, const Lighting& lighting) {
   watch();
-  armed_ = true;  // before: a circuit that did not answer may have heard it
+  armed_ = true;  // set before: a circuit that did not answer may have received it
   on(Outcome::kTriggerLost, [&] { trigger_.arm(rate, lighting); });
 }
 
@@ -114,7 +114,8 @@ void Supervisor::end_if_stalled(double deadline) const {
 
 void Supervisor::end_if_unseen() {
   const std::string unseen = armed_ && moving_ ? robot_.unseen() : "";
-  // At two looks in a row: where this process was held up, the poses that wait for it come between.
+  // At two checks in a row: if this process was held up, the poses waiting for it arrive in
+  // between.
   if (!unseen.empty() && unseen_before_) throw EndEarly{Outcome::kRobotLost, unseen};
   unseen_before_ = !unseen.empty();
 }

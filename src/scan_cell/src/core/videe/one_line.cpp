@@ -11,7 +11,7 @@ namespace {
 
 using Utf8 = boost::locale::utf::utf_traits<char>;
 
-/// The bytes of the character that a text begins with, as they may stand in the line.
+/// The first character of a text in the form allowed in the line.
 std::string_view character(std::string_view text) {
   constexpr char32_t kBlank = ' ', kDelete = 0x7f, kLastControl = 0x9f;  // of Unicode's C0 and C1
   const char* next = text.data();

@@ -45,9 +45,9 @@ const scan_cell_common::EulerSequence& roll_pitch_yaw() {
   return sequence;
 }
 
-/// Six numbers between commas.
+/// Six numbers separated by commas.
 std::array<double, 6> six_numbers(std::string_view text) {
-  constexpr double kMost = 1e6;  // a kilometre, some thousand turns: beyond it is nonsense
+  constexpr double kMost = 1e6;  // a kilometre, or some thousand turns; more is invalid
   constexpr const char* kCure = "send x,y,z,rx,ry,rz in millimetres and degrees";
   std::array<double, 6> result{};
   std::string_view rest = text;

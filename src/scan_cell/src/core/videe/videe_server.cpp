@@ -12,7 +12,7 @@ namespace {
 using scan_cell_common::LineServer;
 
 constexpr std::size_t kMaxLine = 1024;       // [bytes] with its end; chosen
-constexpr std::size_t kMaxAhead = 64 << 10;  // [bytes] of lines that wait for their turn; chosen
+constexpr std::size_t kMaxAhead = 64 << 10;  // [bytes] of waiting lines; chosen
 constexpr double kAnswerTime = 5;            // [s] chosen
 
 LineServer::Options line_options(const VideeServer::Options& options) {
@@ -41,7 +41,7 @@ std::string answer(const VideeServer::Handler& handler, std::string line,
   try {
     const std::string result = handler(parse_videe(line), client_there);
     return result.empty() ? "OK" : "OK " + result;
-  } catch (const std::exception& error) {  // of OpenCV, too: a command must not end the node
+  } catch (const std::exception& error) {  // also of OpenCV: a command must not end the node
     return "ERROR " + std::string(error.what());
   }
 }

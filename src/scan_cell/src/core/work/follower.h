@@ -9,14 +9,13 @@
 
 namespace scan_cell {
 
-/// What the robot's driver says of a path before anything moves.
+/// What the robot's driver says about a path before anything moves.
 struct FollowCheck {
   std::string refusal;        //!< the first fault; empty: the robot can follow it
   std::vector<double> start;  //!< [rad] joints at the first waypoint
 };
 
-/// A robot that follows whole paths of its tool. How the motion stands is told by
-/// Robot::motion() of the same robot.
+/// A robot that follows whole tool paths. Robot::motion() of the same robot reports the motion.
 class Follower {
  public:
   virtual ~Follower() = default;
@@ -24,19 +23,19 @@ class Follower {
   /// Nothing moves. @throw scan_cell_common::Error if its driver cannot tell
   virtual FollowCheck check_follow(const WorkPlan& plan) = 0;
 
-  /// From here on joints move at this share of their own speed, until restore_speed().
+  /// From here on, joints move at this share of their own speed, until restore_speed().
   virtual void set_joint_speed(double share) = 0;
 
-  /// Never throws: it is called when things go wrong, too.
+  /// Never throws, since it is also called on failures.
   virtual void restore_speed() noexcept = 0;
 
-  /// Goes to angles of the joints [rad], all together.
+  /// Starts to move all joints together to these angles [rad].
   virtual void start_joints(const std::vector<double>& joints) = 0;
 
-  /// Follows the path; the tip stands at its first waypoint.
+  /// Starts to follow the path; the tip must stand at its first waypoint.
   virtual void start_follow(const WorkPlan& plan) = 0;
 
-  /// Of the path that is followed: the last waypoint that was passed.
+  /// The waypoint passed last on the path being followed.
   virtual std::size_t passed() const = 0;
 };
 

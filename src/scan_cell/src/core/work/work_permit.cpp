@@ -17,7 +17,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 using scan_cell_common::Refused;
 
-/// @throw Refused unless both are known, and the same
+/// @throw Refused unless both are known and equal
 void check_same(const std::string& what, const std::string& then, const std::string& now) {
   if (then.empty())
     throw Refused("report", "it does not say with which " + what + " the part was scanned",
@@ -37,7 +37,7 @@ void check_age(const std::optional<double>& scanned, double max_age, double now)
   if (now - *scanned > max_age)
     throw Refused("scan", fmt::format("{:.0f} s old; the limit is {:g} s", now - *scanned, max_age),
                   "scan and adapt again, or raise max_age");
-  constexpr double kClocks = 1;  // [s] that two machines' clocks may differ
+  constexpr double kClocks = 1;  // [s] by which two machines' clocks may differ
   if (*scanned > now + kClocks)
     throw Refused("scan", fmt::format("made {:.0f} s from now", *scanned - now),
                   "set the clocks of the machines, then scan and adapt again");

@@ -8,20 +8,20 @@
 
 namespace scan_cell {
 
-/// What the cell is calibrated with now: SHA-256 of the files; empty: not known.
+/// The cell's present calibration: SHA-256 of the files; empty: not known.
 struct CalibrationNow {
   std::string scanner;
   std::string cell;
 };
 
-/// When a path may be run.
+/// Conditions for running a path.
 struct WorkRules {
-  double max_age = 3600;      //!< [s] of the scan; infinite: any
-  bool dry_run_first = true;  //!< of each proven path, before its first real run
+  double max_age = 3600;      //!< [s] of the scan; infinite: no limit
+  bool dry_run_first = true;  //!< for each proven path, before its first real run
 };
 
-/// The dry runs that were finished, in a file. A path that was proven anew, or a cell whose tool or
-/// robot was calibrated anew, needs another one.
+/// The finished dry runs, in a file. A newly proven path, or a new calibration of tool or robot,
+/// needs another dry run.
 class DryRuns {
  public:
   /// @param file JSON; need not exist
@@ -31,17 +31,17 @@ class DryRuns {
   bool has(const std::string& proven_path, const std::string& cell) const;
 
   /// @param time [s] since 1970
-  /// @throw scan_cell_common::FileError if it cannot be written
+  /// @throw scan_cell_common::FileError if the file cannot be written
   void add(const std::string& proven_path, const std::string& cell, double time) const;
 
  private:
   const std::string file_;
 };
 
-/// What was accepted together is what runs.
+/// Checks that what was accepted together is what runs.
 /// @param now [s] since 1970
-/// @throw scan_cell_common::Refused naming what is another: the scanner model, the cell file; that
-/// the scan is too old, or that a dry run is missing
+/// @throw scan_cell_common::Refused naming what has changed (the scanner model or the cell file),
+/// or saying that the scan is too old or a dry run is missing
 void check_permit(const tool_path_programs::AcceptedReport& report, const CalibrationNow& cell,
                   const WorkRules& rules, const DryRuns& dry_runs, bool dry, double now);
 

@@ -16,7 +16,7 @@ using tool_path_programs::SetOutput;
 using tool_path_programs::Step;
 using tool_paths::ToolPath;
 
-/// The path from one of its waypoints on.
+/// The part of the path from one of its waypoints on.
 ToolPath from_waypoint(ToolPath path, std::size_t from) {
   const std::size_t count = waypoint_count(path);
   if (count > 0 && from >= count)

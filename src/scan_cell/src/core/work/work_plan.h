@@ -13,23 +13,23 @@
 
 namespace scan_cell {
 
-/// A pose that the tool's tip goes to along a line.
+/// A pose to which the tool's tip moves along a line.
 struct WorkWaypoint {
   Eigen::Isometry3d tip = Eigen::Isometry3d::Identity();  //!< [m]
-  double speed = 0;                                       //!< [m/s] on the way to here
-  double zone = 0;                      //!< [m] how far from here the tip may pass
+  double speed = 0;                                       //!< [m/s] on the way to this pose
+  double zone = 0;                      //!< [m] distance at which the tip may pass it
   std::uint32_t outputs = 0;            //!< bit n: digital output n + 1 is on from here on
-  std::optional<std::size_t> waypoint;  //!< of the path; none: approach, retract, or between
+  std::optional<std::size_t> waypoint;  //!< of the path; none: approach, retract, or in between
 };
 
-/// What the robot follows. The first waypoint is gone to by the joints.
+/// The path that the robot follows. It moves to the first waypoint by its joints.
 struct WorkPlan {
   Eigen::Isometry3d flange_to_tip = Eigen::Isometry3d::Identity();  //!< [m]
-  double joint_speed = 0.1;  //!< on the way to the first waypoint: share of the joints' own
+  double joint_speed = 0.1;  //!< to the first waypoint: share of the joints' own speeds
   std::vector<WorkWaypoint> waypoints;
 };
 
-/// The run before the first real one of a part type.
+/// The run before the first real run of a part type.
 struct DryRun {
   double lift = 0.05;  //!< [m] off the part, along the tool
   double speed = 0.1;  //!< share of the path's speeds

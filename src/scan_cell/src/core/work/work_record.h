@@ -10,13 +10,13 @@
 
 namespace scan_cell {
 
-/// What was done: each waypoint of the path that was passed, and when that was heard.
+/// Record of the work: each waypoint passed, and when that was reported.
 class WorkRecord {
  public:
   /// @param time [s] since 1970
   void passed(const WorkWaypoint& waypoint, double time);
 
-  /// Of the path, without approach and retract.
+  /// Number of waypoints of the path passed, without approach and retract.
   std::size_t waypoints() const { return passed_.size(); }
 
   /// As JSON, in SI units.

@@ -10,7 +10,7 @@
 namespace scan_cell {
 namespace {
 
-constexpr double kApproach = 0.1;  // of the time that it all takes; a guess for the bar
+constexpr double kApproach = 0.1;  // share of the whole time; a guess for the progress bar
 
 }  // namespace
 
@@ -29,7 +29,7 @@ SequenceEnd WorkSequence::run(const WorkPlan& plan, const WhyToCancel& why_to_ca
     work(plan);
   } catch (const EndEarly& early) {
     end = {early.outcome, early.message};
-  } catch (const std::exception& error) {  // whatever it is: the robot must stand
+  } catch (const std::exception& error) {  // of any kind: the robot must stand
     end = {Outcome::kMotionFailed, error.what()};
   }
   supervisor_.stop_robot();
@@ -56,7 +56,7 @@ void WorkSequence::work(const WorkPlan& plan) {
       observer_.on_progress("work", kApproach + (1 - kApproach) * progress);
     });
   } catch (...) {
-    tell_passed(plan);  // what was done is known, however it ended
+    tell_passed(plan);  // reports what was done, however it ended
     throw;
   }
   tell_passed(plan);

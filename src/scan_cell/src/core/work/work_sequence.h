@@ -12,7 +12,7 @@
 
 namespace scan_cell {
 
-/// Hears how the work goes on.
+/// Is told of the progress of the work.
 class WorkObserver {
  public:
   virtual ~WorkObserver() = default;
@@ -22,9 +22,9 @@ class WorkObserver {
   virtual void on_passed(const WorkWaypoint& waypoint) = 0;
 };
 
-/// Runs a path: looks whether the robot can follow it, goes to its front by the joints, follows it.
-/// It ends early where the robot is stopped or lost, or where it is cancelled; the robot brakes on
-/// the path then, its outputs go off, and nothing goes on by itself. The lasers stay off.
+/// Runs a path: checks whether the robot can follow it, moves to its start by the joints, and
+/// follows it. It ends early if the robot is stopped or lost, or if it is cancelled: then the robot
+/// brakes on the path, its outputs go off, and nothing continues by itself. The lasers stay off.
 class WorkSequence {
  public:
   /// @param robot, follower the same robot
@@ -43,7 +43,7 @@ class WorkSequence {
   Follower& follower_;
   WorkObserver& observer_;
   Supervisor supervisor_;
-  std::size_t told_ = 0;  // waypoints of the plan that the observer knows
+  std::size_t told_ = 0;  // waypoints of the plan reported to the observer
 };
 
 }  // namespace scan_cell

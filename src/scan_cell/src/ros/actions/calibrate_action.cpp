@@ -21,7 +21,7 @@ using scan_cell_msgs::CalibrateResult;
 
 namespace {
 
-constexpr double kRecording = 0.8;  // of the time that it all takes; a guess for the bar
+constexpr double kRecording = 0.8;  // share of the whole time; a guess for the progress bar
 
 std::vector<TaughtPose> load_poses(const std::string& path) {
   const scan_calibration::TaughtPoses taught = scan_calibration::load_taught_poses(path);
@@ -59,7 +59,7 @@ std::vector<std::string> names_of(std::uint8_t lasers) {
   return names;
 }
 
-/// What is calibrated anew, and where the rest comes from.
+/// What to calibrate, and where the rest comes from.
 scan_calibration::CalibrationOptions options_of(const CalibrateGoal& goal) {
   scan_calibration::CalibrationOptions options;
   options.lasers_alone = goal.lasers_alone != 0;
@@ -77,7 +77,7 @@ scan_cell_msgs::CalibrationFigures to_message(const scan_calibration::Figures& f
   return message;
 }
 
-/// Why a run gave no model: what was refused, or every limit that was missed.
+/// Why a run gave no model: the refusal, or every limit missed.
 std::string why_not(const scan_calibration::CalibrationRun& found) {
   std::string text = found.reason;
   for (const scan_calibration::JudgedFigure& figure : found.judged) {
@@ -152,7 +152,7 @@ SequenceEnd CalibrateAction::record(const WhyToCancel& why_to_cancel, CalibrateR
 }
 
 void CalibrateAction::compute(const WhyToCancel& why_to_cancel, CalibrateResult& result) {
-  constexpr double kReading = 0.6;  // of the time that computing takes; a guess for the bar
+  constexpr double kReading = 0.6;  // share of the computing time; a guess for the progress bar
   const auto go_on = [&](const std::string& doing, double share) {
     const std::string why = why_to_cancel();
     if (!why.empty()) throw EndEarly{Outcome::kCancelled, why + ", while computing"};
@@ -175,7 +175,7 @@ void CalibrateAction::compute(const WhyToCancel& why_to_cancel, CalibrateResult&
   } catch (const EndEarly& early) {
     result.outcome = static_cast<std::uint8_t>(early.outcome);
     result.message = early.message;
-  } catch (const std::exception& error) {  // of OpenCV, too: a session must not end the node
+  } catch (const std::exception& error) {  // also of OpenCV: a session must not end the node
     result.outcome = CalibrateResult::NOT_CALIBRATED;
     result.message = error.what();
   }
@@ -214,7 +214,7 @@ void CalibrateAction::on_view(const TakenView& view) {
 
 void CalibrateAction::tell(int pose, const std::string& doing, double progress) {
   constexpr double kPeriod = 0.1;             // [s] chosen
-  progress_ = std::max(progress_, progress);  // what is done twice over does not go back
+  progress_ = std::max(progress_, progress);  // repeated work does not set it back
   const ros::WallTime now = ros::WallTime::now();
   if (doing == last_doing_ && (now - last_feedback_).toSec() < kPeriod) return;
   last_feedback_ = now;

@@ -17,7 +17,7 @@
 
 namespace scan_cell {
 
-/// The action ~calibrate and the latched topic ~calibration with what it found, for rviz.
+/// The action ~calibrate and the latched topic ~calibration with its result, for rviz.
 class CalibrateAction : private SessionObserver,
                         private CellAction<scan_cell_msgs::CalibrateAction>::Work {
  public:
@@ -25,7 +25,7 @@ class CalibrateAction : private SessionObserver,
   CalibrateAction(ros::NodeHandle node, const Parameters& parameters, CellDevices& devices,
                   CellInUse& cell, const StateTopic& state);
 
-  /// Cancels the calibration under way, if any, and waits until the cell is safe.
+  /// Cancels a calibration in progress, if any, and waits until the cell is safe.
   ~CalibrateAction() override;
 
  private:
@@ -47,10 +47,10 @@ class CalibrateAction : private SessionObserver,
   std::string last_doing_;
   double progress_ = 0;
   scan_cell_msgs::CalibrateGoal goal_;
-  scan_calibration::CalibrationOptions options_;  // what the goal wants of it
+  scan_calibration::CalibrationOptions options_;  // as requested by the goal
   SessionRequest request_;
-  std::unique_ptr<scan_calibration::SessionRecorder> recorder_;  // while one is recorded
-  CellAction<scan_cell_msgs::CalibrateAction> action_;  // last: its callbacks use all the rest
+  std::unique_ptr<scan_calibration::SessionRecorder> recorder_;  // while a session is recorded
+  CellAction<scan_cell_msgs::CalibrateAction> action_;  // last: its callbacks use the others
 };
 
 }  // namespace scan_cell

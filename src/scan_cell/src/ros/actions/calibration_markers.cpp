@@ -41,7 +41,7 @@ Marker marker(const std::string& frame, const std::string& name, int type, const
   result.type = type;
   result.action = Marker::ADD;
   result.pose.orientation.w = 1;
-  result.frame_locked = static_cast<unsigned char>(true);  // planes go with the flange
+  result.frame_locked = static_cast<unsigned char>(true);  // planes move with the flange
   const bool triangles = type == Marker::TRIANGLE_LIST;
   result.scale.x = result.scale.y = result.scale.z = triangles ? 1 : kLine;
   result.color.r = colour.r;
@@ -77,7 +77,7 @@ std::optional<Eigen::Vector3d> ray_at(const CameraIntrinsics& camera,
   return Eigen::Vector3d(ray.x(), ray.y(), 1);
 }
 
-/// In the camera's frame.
+/// Points on a plane of light in the camera's frame.
 Points points_on(const LaserPlane& laser, const CameraIntrinsics& camera,
                  const std::vector<Eigen::Vector2d>& pixels) {
   Points points;
@@ -88,7 +88,7 @@ Points points_on(const LaserPlane& laser, const CameraIntrinsics& camera,
   return points;
 }
 
-/// Two triangles of the plane over the range of depths that its points have, in the camera's frame.
+/// Two triangles of the plane over the depth range of its points, in the camera's frame.
 Points plane_patch(const LaserPlane& laser, const Points& points) {
   constexpr double kMargin = 0.05;  // [m] chosen
   const Eigen::Vector3d across = Eigen::Vector3d::UnitY();
@@ -115,7 +115,7 @@ Points moved(const Eigen::Isometry3d& pose, Points points) {
   return points;
 }
 
-/// The board in the camera's frame by this view alone.
+/// The board in the camera's frame from this view alone.
 std::optional<Eigen::Isometry3d> board_in_camera(const CameraIntrinsics& camera, const Board& board,
                                                  const ViewObservation& view) {
   std::vector<cv::Point3d> places;
@@ -144,7 +144,7 @@ Points outline(const Board& board) {
   return edges({{0, 0, 0}, {x, 0, 0}, {x, y, 0}, {0, y, 0}});
 }
 
-/// The pyramid of what the camera sees, a little way in front of it.
+/// The pyramid of the camera's field of view, a little way in front of it.
 Points frustum(const CameraIntrinsics& camera) {
   constexpr double kDepth = 0.06;  // [m] chosen
   const double x0 = -camera.cx / camera.fx, x1 = (camera.width - camera.cx) / camera.fx;

@@ -10,10 +10,10 @@
 
 namespace scan_cell {
 
-/// A calibration to look at: in `base_frame` the board as each view alone sees it (they should lie
-/// on one another) with the camera that saw it, and in tool0 each plane of light with the points on
-/// it. The first marker removes those of an earlier calibration.
-/// @param run one that has a calibration
+/// Markers that show a calibration: in `base_frame`, the board from each view alone (the boards
+/// should coincide) with the camera that saw it, and in tool0, each plane of light with the points
+/// on it. The first marker removes those of an earlier calibration.
+/// @param run must have a calibration
 visualization_msgs::MarkerArray calibration_markers(const scan_calibration::CalibrationRun& run,
                                                     const std::string& base_frame);
 

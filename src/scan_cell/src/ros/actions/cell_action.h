@@ -18,27 +18,27 @@
 
 namespace scan_cell {
 
-/// An action that uses the whole cell: one goal at a time, in a thread of its own. A goal may name
-/// a watcher, who listens to the cell's state, and is cancelled where that one is gone. The result
-/// has the fields outcome and message, and the outcomes FINISHED, REFUSED and CANCELLED.
+/// An action that uses the whole cell: one goal at a time, in its own thread. A goal may name a
+/// watcher, a node that subscribes to the cell's state, and is cancelled when the watcher is gone.
+/// The result has the fields outcome and message, and the outcomes FINISHED, REFUSED and CANCELLED.
 template <class Spec>
 class CellAction {
  public:
   ACTION_DEFINITION(Spec)
 
-  /// What it does.
+  /// The work of an action.
   class Work {
    public:
     virtual ~Work() = default;
-    /// Takes the goal over.
-    /// @return the goal's name, for whoever is refused because of it
+    /// Accepts the goal.
+    /// @return the goal's name, for messages to clients refused because of it
     /// @throw scan_cell_common::Error if the goal is refused
     virtual std::string accept(const Goal& goal) = 0;
     virtual Result run(const WhyToCancel& why_to_cancel) = 0;
   };
 
   /// @param node the private node handle
-  /// @param name of the action, and in refusals
+  /// @param name of the action, also for refusals
   CellAction(ros::NodeHandle node, const std::string& name, CellInUse& cell,
              const StateTopic& state, Work& work)
       : name_(name),
@@ -49,10 +49,10 @@ class CellAction {
             node, name, [this](Handle goal) { on_goal(goal); },
             [this](Handle goal) { on_cancel(goal); }, false) {}
 
-  /// Goals are taken from here on.
+  /// Accepts goals from here on.
   void start() { server_.start(); }
 
-  /// Cancels the goal under way, if any, and waits until the cell is safe.
+  /// Cancels a goal in progress, if any, and waits until the cell is safe.
   void end() {
     bool interrupted = false;
     {
@@ -62,11 +62,11 @@ class CellAction {
       cancel_ = true;
     }
     if (thread_.joinable()) thread_.join();
-    // roscpp forgets what it has not written when it shuts down; the result holds what was captured
+    // At shutdown, roscpp drops what it has not sent; the result holds what was captured
     if (interrupted) ros::WallDuration(0.5).sleep();
   }
 
-  /// Called by the work only.
+  /// To be called by the work only.
   void publish(const Feedback& feedback) { goal_.publishFeedback(feedback); }
 
  private:
@@ -78,7 +78,7 @@ class CellAction {
     const std::lock_guard<std::mutex> lock(mutex_);
     try {
       take(*goal.getGoal());
-    } catch (const std::exception& error) {  // of a file system, too: no goal may end the node
+    } catch (const std::exception& error) {  // also of a file system: no goal may end the node
       Result refusal;
       refusal.outcome = Result::REFUSED;
       refusal.message = error.what();
@@ -101,7 +101,7 @@ class CellAction {
       throw Refused("watcher", "'" + goal.watcher + "', which does not listen to the state",
                     "subscribe to " + state_.name() + " first, or give none");
     }
-    cell_.take(name_, "a new one");  // first: what runs must not see another's goal
+    cell_.take(name_, "a new one");  // first: running work must not see another goal
     try {
       cell_.rename(work_.accept(goal));
     } catch (...) {
@@ -139,14 +139,14 @@ class CellAction {
   CellInUse& cell_;
   const StateTopic& state_;
   Work& work_;
-  std::mutex mutex_;  // of what follows
+  std::mutex mutex_;  // guards all that follows
   bool running_ = false;
-  bool ending_ = false;  // no goal is taken any more
+  bool ending_ = false;  // no more goals are accepted
   Handle goal_;
-  std::string watcher_;  // of the goal; changed only while none is under way
+  std::string watcher_;  // of the goal; only changed while none is in progress
   std::thread thread_;
   std::atomic<bool> cancel_{false};
-  Server server_;  // last: its callbacks use all the rest
+  Server server_;  // last, since its callbacks use the other members
 };
 
 }  // namespace scan_cell

@@ -7,7 +7,7 @@
 
 namespace scan_cell {
 
-/// The devices that the cell's actions share.
+/// The devices shared by the cell's actions.
 struct CellDevices {
   CellDevices(const ros::NodeHandle& node, const Parameters& parameters)
       : robot(node, parameters),

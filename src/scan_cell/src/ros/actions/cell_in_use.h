@@ -9,11 +9,11 @@
 
 namespace scan_cell {
 
-/// One thing at a time moves the robot. Safe for use from several threads.
+/// Ensures that only one activity at a time uses the cell. Thread-safe.
 class CellInUse {
  public:
   /// @param kind such as "scan" @param name of this one
-  /// @throw scan_cell_common::Refused naming what has the cell
+  /// @throw scan_cell_common::Refused naming the activity that has the cell
   void take(const std::string& kind, const std::string& name) {
     const std::lock_guard<std::mutex> lock(mutex_);
     if (!kind_.empty()) {
@@ -24,7 +24,7 @@ class CellInUse {
     name_ = name;
   }
 
-  /// Names what has the cell, once that is known.
+  /// Names the activity that has the cell, once its name is known.
   void rename(const std::string& name) {
     const std::lock_guard<std::mutex> lock(mutex_);
     name_ = name;

@@ -106,7 +106,7 @@ bool ScanAction::check_program(scan_cell_msgs::CheckProgram::Request& request,
   return true;
 }
 
-/// @throw Refused where tf does not know the frame
+/// @throw Refused if tf does not know the frame
 Eigen::Isometry3d ScanAction::base_to(const std::string& frame) const {
   if (frame == parameters_.base_frame) return Eigen::Isometry3d::Identity();
   try {

@@ -22,14 +22,14 @@
 
 namespace scan_cell {
 
-/// The action ~scan, and the service ~check_program.
+/// The action ~scan and the service ~check_program.
 class ScanAction : private ScanObserver, private CellAction<scan_cell_msgs::ScanAction>::Work {
  public:
   /// @param node the private node handle
   ScanAction(ros::NodeHandle node, const Parameters& parameters, CellDevices& devices,
              CellInUse& cell, const StateTopic& state);
 
-  /// Cancels the scan under way, if any, and waits until the cell is safe.
+  /// Cancels a scan in progress, if any, and waits until the cell is safe.
   ~ScanAction() override;
 
  private:
@@ -63,7 +63,7 @@ class ScanAction : private ScanObserver, private CellAction<scan_cell_msgs::Scan
   int last_step_ = 0;
   ScanRequest request_;
   ros::ServiceServer check_program_;
-  CellAction<scan_cell_msgs::ScanAction> action_;  // last: its callbacks use all the rest
+  CellAction<scan_cell_msgs::ScanAction> action_;  // last: its callbacks use the others
 };
 
 }  // namespace scan_cell

@@ -11,8 +11,7 @@
 
 namespace scan_cell {
 
-/// The latched topic ~state. A node that listens to it can watch over a goal. Safe for use from
-/// several threads.
+/// The latched topic ~state. A node that subscribes to it can watch over a goal. Thread-safe.
 class StateTopic {
  public:
   /// @param node the private node handle
@@ -23,12 +22,12 @@ class StateTopic {
 
   std::string name() const { return publisher_.getTopic(); }
 
-  /// Whether this node listens. Nobody, an empty name, always does.
+  /// Whether this node is subscribed. Always true for an empty name, which means nobody.
   bool is_watched_by(const std::string& node) const {
     return node.empty() || listeners_.contains(node);
   }
 
-  /// Waits, not for long, until it listens: a goal may overtake its sender's subscription.
+  /// Waits briefly until the node is subscribed: a goal may overtake its sender's subscription.
   void wait_for(const std::string& node) const {
     constexpr double kPatience = 1, kLook = 0.01;  // [s] chosen
     const ros::WallTime deadline = ros::WallTime::now() + ros::WallDuration(kPatience);

@@ -17,7 +17,7 @@ using scan_cell_msgs::WorkResult;
 
 namespace {
 
-/// Empty where the file is not on this machine.
+/// SHA-256 of a file; empty if it is not on this machine.
 std::string hash_of(const std::string& file) {
   try {
     return scan_cell_common::sha256_of_file(file);
@@ -62,7 +62,7 @@ std::string WorkAction::accept(const WorkGoal& goal) {
   return goal.path;
 }
 
-/// Both files are read now: what was calibrated since this node started counts.
+/// Reads both files now, so that a calibration made since this node started counts.
 CalibrationNow WorkAction::calibration() const {
   std::string scanner;
   std::string cell;
@@ -85,7 +85,7 @@ WorkResult WorkAction::run(const WhyToCancel& why_to_cancel) {
   return result;
 }
 
-/// What was done is written down, however it ended; so is a dry run that came to its end.
+/// Records what was done, however it ended, and a dry run that was finished.
 SequenceEnd WorkAction::kept(SequenceEnd end) const {
   try {
     const bool dry = goal_.dry_run != 0;

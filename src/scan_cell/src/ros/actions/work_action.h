@@ -24,7 +24,7 @@ class WorkAction : private WorkObserver, private CellAction<scan_cell_msgs::Work
   WorkAction(ros::NodeHandle node, const Parameters& parameters, CellDevices& devices,
              const WorkPlanner& planner, CellInUse& cell, const StateTopic& state);
 
-  /// Cancels the work under way, if any, and waits until the robot stands.
+  /// Cancels work in progress, if any, and waits until the robot stands.
   ~WorkAction() override;
 
  private:
@@ -47,7 +47,7 @@ class WorkAction : private WorkObserver, private CellAction<scan_cell_msgs::Work
   std::size_t waypoints_ = 0;  // of the path
   WorkRecord record_;
   ros::WallTime last_feedback_;
-  CellAction<scan_cell_msgs::WorkAction> action_;  // last: its callbacks use all the rest
+  CellAction<scan_cell_msgs::WorkAction> action_;  // last: its callbacks use the others
 };
 
 }  // namespace scan_cell

@@ -57,7 +57,7 @@ scan_cell_msgs::StretchVerdict adapt(CellClient& client, const AdaptationFiles& 
   const fs::path output(files.output);
   scan_cell_common::save_cloud((output / kObject).string(), scan_cell_common::view_of(object));
   const auto result = client.stretch(goal, timeout, progress);
-  // The path before the report: an accepting report without its path would be a lie.
+  // Writes the path before the report: an accepting report without its path would be false.
   if (result.verdict.reason == scan_cell_msgs::StretchVerdict::ACCEPTED)
     tool_paths::save_tool_path((output / kPath).string(),
                                tool_path_stretcher::from_message(result.path), path.layout);

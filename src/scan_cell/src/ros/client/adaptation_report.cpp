@@ -18,12 +18,12 @@ Json record_of(const std::string& file, const std::string& units, const std::str
   return {{"name", name}, {"sha256", scan_cell_common::sha256_of_file(file)}, {"units", units}};
 }
 
-/// As given by its user.
+/// An input file, named as given by the user.
 Json input(const std::string& file, const std::string& units) {
   return record_of(file, units, file);
 }
 
-/// Beside the report.
+/// An output file, in the folder of the report.
 Json output(const std::string& file, const std::string& units) {
   return record_of(file, units, fs::path(file).filename().string());
 }

@@ -55,7 +55,7 @@ BagRecording::~BagRecording() {
   const std::lock_guard<std::mutex> lock(mutex_);
   try {
     bag_.close();
-  } catch (const rosbag::BagException&) {  // NOLINT: what is half is removed
+  } catch (const rosbag::BagException&) {  // NOLINT: a partial file is removed
   }
   std::remove(file_.c_str());
 }
@@ -80,7 +80,7 @@ void BagRecording::look_for_end(const CellState& state) {
 }
 
 void BagRecording::finish(const std::string& scan_id) {
-  constexpr std::chrono::seconds kPatience(5);  // it comes with the scan's result; chosen
+  constexpr std::chrono::seconds kPatience(5);  // it arrives with the scan's result; chosen
   std::unique_lock<std::mutex> lock(mutex_);
   if (!news_.wait_for(lock, kPatience, [&] { return ended_ == scan_id; }))
     throw ConnectionError(BagReplay::Topics().state,

@@ -18,11 +18,11 @@
 
 namespace scan_cell {
 
-/// Records what replay needs of one scan. A recording that is not finished is removed.
+/// Records what replay needs from one scan. An unfinished recording is removed.
 class BagRecording {
  public:
-  /// Begins, once it hears all topics.
-  /// @param timeout [s] to wait for their nodes
+  /// Begins once it receives all topics.
+  /// @param timeout [s] to wait for the topics' nodes
   /// @throw scan_cell_common::FileError if the bag cannot be written
   /// @throw scan_cell_common::ConnectionError naming a topic that nobody publishes
   BagRecording(ros::NodeHandle node, std::string file, double timeout);
@@ -30,9 +30,9 @@ class BagRecording {
   BagRecording(const BagRecording&) = delete;
   BagRecording& operator=(const BagRecording&) = delete;
 
-  /// Ends with the cell's word that the scan is over.
-  /// @throw scan_cell_common::ConnectionError if it does not come
-  /// @throw scan_cell_common::FileError if the disk did not take all
+  /// Ends with the cell's message that the scan is over.
+  /// @throw scan_cell_common::ConnectionError if that message does not arrive
+  /// @throw scan_cell_common::FileError if not everything could be written to disk
   void finish(const std::string& scan_id);
 
  private:
@@ -45,10 +45,10 @@ class BagRecording {
   rosbag::Bag bag_;
   std::mutex mutex_;
   std::condition_variable news_;
-  std::string ended_;                   // the scan that was over last
+  std::string ended_;                   // the scan that ended last
   std::optional<std::string> failure_;  // of the disk
   bool finished_ = false;
-  std::vector<ros::Subscriber> subscribers_;  // last: they call add()
+  std::vector<ros::Subscriber> subscribers_;  // last, since they call add()
 };
 
 }  // namespace scan_cell

@@ -25,11 +25,10 @@ namespace {
 using scan_cell_common::UnusableInput;
 using scan_cell_msgs::CellState;
 
-/// The topic's messages are few and big enough that none may be lost on the way to a slow
-/// subscriber.
+/// The topic's messages are few and large, and none may be lost on the way to a slow subscriber.
 constexpr std::uint32_t kUnboundedQueue = 0;
 
-/// How many nodes have subscribed to a topic, connected or not.
+/// Number of nodes that have subscribed to a topic, connected or not.
 std::size_t registered_subscribers(const std::string& topic) {
   XmlRpc::XmlRpcValue request(ros::this_node::getName()), answer, state;
   if (!ros::master::execute("getSystemState", request, answer, state, false)) {
@@ -44,7 +43,7 @@ std::size_t registered_subscribers(const std::string& topic) {
   return 0;
 }
 
-/// Other nodes may connect before the binder: until all have, what is published is lost to it.
+/// Other nodes may connect before the binder: until all have connected, it may lose messages.
 void wait_for_subscribers(const ros::Publisher& publisher, double timeout) {
   const ros::WallTime deadline = ros::WallTime::now() + ros::WallDuration(timeout);
   for (;;) {
@@ -97,7 +96,7 @@ std::vector<RecordedScan> BagReplay::find_scans() const {
   std::vector<RecordedScan> scans;
   rosbag::View view(bag_, rosbag::TopicQuery({topics_.state, topics_.runs}));
   RecordedScan open;
-  std::vector<scan_cell_msgs::ScanRun> runs;  // since the scan before ended
+  std::vector<scan_cell_msgs::ScanRun> runs;  // since the end of the previous scan
   for (const rosbag::MessageInstance& message : view) {
     if (const auto run = message.instantiate<scan_cell_msgs::ScanRun>()) runs.push_back(*run);
     const auto state = message.instantiate<CellState>();

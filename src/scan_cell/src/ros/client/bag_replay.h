@@ -13,20 +13,21 @@
 
 namespace scan_cell {
 
-/// A scan that was recorded.
+/// A recorded scan.
 struct RecordedScan {
   std::string scan_id;
   ros::Time start;
   ros::Time end;
-  bool whole = false;  //!< it did not end early
-  /// Of each arming, in their order; empty where the bag does not hold them: each is a pass then.
+  bool whole = false;  //!< whether it did not end early
+  /// The run of each arming, in order; empty if the bag does not hold them: then each arming is a
+  /// pass.
   std::vector<scan_cell_msgs::ScanRun> runs;
 };
 
-/// Plays one scan of a bag to the binder, as fast as wanted and without losing a message.
+/// Plays one scan of a bag to the binder, at any speed and without losing a message.
 class BagReplay {
  public:
-  /// Topics, in the bag and to publish on.
+  /// Topics in the bag, also used for publishing.
   struct Topics {
     std::string state = "/scan_cell/state";
     std::string runs = "/scan_cell/runs";
@@ -37,15 +38,15 @@ class BagReplay {
 
   /// @throw FileError if the bag cannot be read
   /// @throw UnusableInput if it holds no whole scan, no pulses, no profiles or no poses
-  /// @param scan_id which scan, be it whole or not; empty: the last whole one
+  /// @param scan_id the scan, whole or not; empty: the last whole one
   BagReplay(const std::string& path, const std::string& scan_id, const Topics& topics);
 
   const RecordedScan& scan() const { return scan_; }
   std::uint64_t pulses() const { return pulses_; }  //!< of the scan
 
-  /// Publishes the scan's messages in the order they were recorded.
-  /// @param speed times real time
-  /// @param timeout [s] to wait until all who subscribe are connected
+  /// Publishes the scan's messages in recorded order.
+  /// @param speed factor over real time
+  /// @param timeout [s] to wait until all subscribers are connected
   /// @throw ConnectionError if they are not, or nobody subscribes
   void play(ros::NodeHandle node, double speed, double timeout,
             const std::function<void(double)>& progress);

@@ -19,7 +19,7 @@ using scan_cell_common::ConnectionError;
 
 constexpr double kCleaningTimeout = 60;  // [s] chosen
 
-constexpr double kSlice = 0.1;         // [s] between two looks; chosen
+constexpr double kSlice = 0.1;         // [s] between two checks; chosen
 constexpr double kCancelTimeout = 15;  // [s] to make a scan safe and keep its data; chosen
 
 /// @throw ConnectionError if there is no server within `timeout` [s]
@@ -36,9 +36,9 @@ void wait_for_server(const Client& client, const std::string& name, double timeo
   }
 }
 
-/// Waits for the end of the goal; an interrupt cancels it, and its end is waited for as well.
-/// @param timeout [s] for the server to take the goal
-/// @throw ConnectionError if the server goes away, or does not take the goal
+/// Waits for the end of the goal. An interrupt cancels the goal; its end is still awaited.
+/// @param timeout [s] for the server to accept the goal
+/// @throw ConnectionError if the server goes away or does not accept the goal
 template <class Client>
 auto wait_for_end(Client& client, const std::string& name, double timeout) {
   const ros::WallTime untaken = ros::WallTime::now() + ros::WallDuration(timeout);
@@ -70,15 +70,15 @@ bool has_begun(const Result& result) {
   return result.outcome != Result::NOT_BEGUN;
 }
 
-/// Sends a goal and waits for its end. The result is that of the server whatever the terminal
-/// state: it says itself how things ended.
+/// Sends a goal and waits for its end. Returns the server's result whatever the terminal state,
+/// since the result itself says how the goal ended.
 /// @param complete called with the goal once the server is there
-/// @throw ConnectionError if there is no server, or it goes away
-/// @throw Refused if another client's cancel, or goal, came before it began
+/// @throw ConnectionError if there is no server or it goes away
+/// @throw Refused if another client's cancel or goal arrived before it began
 template <class Action, class Goal, class Complete, class Feedback>
 auto run_action(const ros::NodeHandle& node, const std::string& name, Goal goal, double timeout,
                 const Complete& complete, const Feedback& on_feedback) {
-  const CatchInterrupts catch_interrupts;  // nobody may leave robot and laser running by Ctrl-C
+  const CatchInterrupts catch_interrupts;  // Ctrl-C must not leave robot and laser running
   scan_cell_common::GoalClient<Action> client(node, name);
   wait_for_server(client, name, timeout);
   complete(goal);

@@ -14,7 +14,7 @@
 namespace scan_cell {
 namespace {
 
-/// One that another node has read, maybe on another machine.
+/// Record of a file read by another node, maybe on another machine.
 Json file_record(const std::string& file) {
   try {
     return {{"name", file}, {"sha256", scan_cell_common::sha256_of_file(file)}};
@@ -38,7 +38,7 @@ Json binding_of(const scan_cell_msgs::BindingAudit& audit) {
 }  // namespace
 
 void add_passes(Json& all, const scan_cell_msgs::CloudStatistics& scan) {
-  if (scan.agreement_message.empty()) return;  // of one sweep
+  if (scan.agreement_message.empty()) return;  // one sweep only
   using scan_cell_common::kDegrees;
   using scan_cell_common::kMillimetres;
   Json& passes = all["passes"];

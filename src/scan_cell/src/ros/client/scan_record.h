@@ -15,15 +15,15 @@ namespace scan_cell {
 
 using Json = nlohmann::ordered_json;
 
-/// How the passes of a scan agree, as `passes`; nothing where there was one sweep.
+/// Adds how the passes of a scan agree, as `passes`; nothing if there was only one sweep.
 void add_passes(Json& all, const scan_cell_msgs::CloudStatistics& scan);
 
-/// Name and SHA-256 of each file. One that is not on this machine has no hash: null.
+/// Name and SHA-256 of each file; the hash is null for a file that is not on this machine.
 Json to_json(const CalibrationFiles& calibration);
 
-/// Writes what the cell said of a scan: when it was, how its frames were bound, how its passes
-/// agree, what the cell was calibrated with, and the camera's region.
-/// @param region of passes that name none; none: not known, which is written as null
+/// Writes what the cell said about a scan: its time, how its frames were bound, how its passes
+/// agree, the cell's calibration, and the camera's region.
+/// @param region for passes that give none; none: not known, written as null
 /// @throw scan_cell_common::FileError if it cannot be written
 void save_scan_record(const std::string& file, const scan_cell_msgs::ScanResult& scan,
                       const CalibrationFiles& calibration,

@@ -9,7 +9,7 @@
 
 namespace scan_cell {
 
-/// @throw ConnectionError where the driver lost the controller, Refused where one of them refuses
+/// @throw ConnectionError if the driver has lost the controller, Refused if one of them refuses
 template <class Service>
 typename Service::Response call_driver(const std::string& name,
                                        const typename Service::Request& request, double timeout) {

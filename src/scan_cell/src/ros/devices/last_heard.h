@@ -7,7 +7,7 @@
 
 namespace scan_cell {
 
-/// When something was heard of last. Safe for use from several threads.
+/// When something was last heard from. Thread-safe.
 class LastHeard {
  public:
   void now() {
@@ -21,7 +21,7 @@ class LastHeard {
     return ever_;
   }
 
-  /// [s] since then
+  /// Time [s] since then.
   double age() const {
     const std::lock_guard<std::mutex> lock(mutex_);
     return std::chrono::duration<double>(Clock::now() - time_).count();

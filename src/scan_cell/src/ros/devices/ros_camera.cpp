@@ -67,9 +67,9 @@ RosCamera::Settings RosCamera::changed_to(const PassCamera& settings) const {
   return changed;
 }
 
-/// Those of the pass before: a camera that is stopped drops what it has not sent.
+/// Waits for profiles of the previous pass, since a stopped camera drops what it has not sent.
 void RosCamera::wait_for_late_profiles() const {
-  constexpr double kQuiet = 0.2;   // [s] without one; chosen, above what a frame takes on its way
+  constexpr double kQuiet = 0.2;   // [s] without one; chosen, longer than a frame's way
   constexpr double kLongest = 1;   // [s] chosen
   constexpr double kLook = 0.005;  // [s] chosen
   const ros::WallTime deadline = ros::WallTime::now() + ros::WallDuration(kLongest);
@@ -83,7 +83,7 @@ void RosCamera::expect_profiles(double rate) {
 }
 
 void RosCamera::stop() noexcept {
-  constexpr double kTimeout = 0.5;  // [s] chosen: a camera that was lost may not answer for seconds
+  constexpr double kTimeout = 0.5;  // [s] chosen: a lost camera may not answer for seconds
   silence_allowed_ = 0;
   try {
     set_acquisition(SetAcquisition::Request::STOP, kTimeout);

@@ -44,7 +44,7 @@ class RosRobot : public Robot, public Follower {
   void stop() noexcept override;
 
   FollowCheck check_follow(const WorkPlan& plan) override;
-  /// All that the driver says of a path. @throw scan_cell_common::Error if it cannot tell
+  /// Everything that the driver says about a path. @throw scan_cell_common::Error if it cannot tell
   scan_cell_msgs::CheckFollow::Response ask_about(const WorkPlan& plan) const;
   void set_joint_speed(double share) override;
   void restore_speed() noexcept override;
@@ -52,9 +52,9 @@ class RosRobot : public Robot, public Follower {
   void start_follow(const WorkPlan& plan) override;
   std::size_t passed() const override;
 
-  /// Drops what the robot was told before this object was made, by an earlier life of this node:
-  /// nobody watches over that.
-  /// @return false where the driver is not there yet: ask again
+  /// Drops goals sent to the robot before this object was created, by an earlier instance of this
+  /// node: nobody watches over them.
+  /// @return false if the driver is not there yet: call again
   bool drop_earlier_goals();
 
  private:
@@ -71,16 +71,15 @@ class RosRobot : public Robot, public Follower {
   const Parameters parameters_;
   const ros::Time made_ = ros::Time::now();
   LastHeard status_;
-  LastHeard pose_;       // status with a pose that is newer than the one before
+  LastHeard pose_;       // status with a pose newer than the one before
   LastHeard transform_;  // of the flange
   mutable std::mutex mutex_;
   scan_cell_msgs::RobotStatus last_status_;
-  std::optional<double> override_before_;  // [%] set_joint_speed() is in force
+  std::optional<double> override_before_;  // [%] set while set_joint_speed() is in force
   Motion motion_;
-  std::uint64_t move_ =
-      0;  // number of the motion that counts; late news of earlier ones is ignored
-  std::size_t passed_ = 0;  // waypoints of the path that is followed
-  // Last, as the subscribers: their callbacks use all the rest.
+  std::uint64_t move_ = 0;  // number of the present motion; late news of earlier ones is ignored
+  std::size_t passed_ = 0;  // waypoints of the path being followed
+  // Last, like the subscribers: their callbacks use the other members.
   scan_cell_common::GoalClient<scan_cell_msgs::MoveAction> move_client_;
   scan_cell_common::GoalClient<scan_cell_msgs::FollowAction> follow_client_;
   ros::Subscriber status_subscriber_;
@@ -113,11 +112,11 @@ class RosCamera : public Camera {
 
   const Parameters parameters_;
   LastHeard profile_;
-  std::optional<Settings> before_;  // a pass had its own; none: nothing is to be restored
+  std::optional<Settings> before_;  // a pass had its own; none: nothing to restore
   double exposure_ = 0;             // [s]
   std::atomic<std::uint64_t> profiles_{0};
   std::atomic<double> silence_allowed_{0};  // [s]; 0: nothing is expected
-  ros::Subscriber subscriber_;              // last: its callbacks use all the rest
+  ros::Subscriber subscriber_;              // last, since its callbacks use the other members
 };
 
 /// The trigger circuit behind a node with laser_trigger's interface.
@@ -139,11 +138,11 @@ class RosTrigger : public Trigger {
   ros::Publisher keep_alive_publisher_;
   LastHeard event_;
   mutable std::mutex mutex_;
-  std::uint32_t arming_ = 0;          // the arming of ours; 0: none
-  std::uint64_t pulses_ = 0;          // events heard in it
-  std::string disarmed_because_;      // what the node said when it disarmed by itself
+  std::uint32_t arming_ = 0;          // our arming; 0: none
+  std::uint64_t pulses_ = 0;          // events received in it
+  std::string disarmed_because_;      // the node's message when it disarmed by itself
   double silence_allowed_ = 0;        // [s]
-  ros::Subscriber event_subscriber_;  // last, as the other one: their callbacks use all the rest
+  ros::Subscriber event_subscriber_;  // last, like the other: their callbacks use all members
   ros::Subscriber state_subscriber_;
 };
 

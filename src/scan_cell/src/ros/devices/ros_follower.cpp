@@ -19,7 +19,8 @@ namespace {
 constexpr double kCheckOfAWaypoint = 1e-3;  // [s] twice what the check takes
 constexpr std::size_t kJoints = 6;
 
-/// The driver counts the poses that it was given; a person looks for waypoints of the path.
+/// Renames places: the driver counts the poses that it was given, a person looks for waypoints of
+/// the path.
 void name_places(const WorkPlan& plan, scan_cell_msgs::CheckFollow::Response& answer) {
   tool_path_programs::PathWaypoints waypoints;
   for (const WorkWaypoint& pose : plan.waypoints)
@@ -73,7 +74,7 @@ FollowCheck RosRobot::check_follow(const WorkPlan& plan) {
   return check;
 }
 
-/// Of all motions: the driver has one speed for joints, the controller's override.
+/// Sets the speed of all motions: the driver's only speed for joints is the controller's override.
 void RosRobot::set_joint_speed(double share) {
   double before = 0;
   {

@@ -150,7 +150,7 @@ void RosRobot::on_feedback(std::uint64_t move, double progress, std::size_t pass
   passed_ = passed;
 }
 
-/// @param told what the driver says of a motion that did not reach its target
+/// @param told what the driver says about a motion that did not reach its target
 void RosRobot::end_motion(std::uint64_t move, const actionlib::TerminalState& state,
                           const Motion& told) {
   const std::lock_guard<std::mutex> lock(mutex_);
@@ -198,7 +198,7 @@ bool RosRobot::drop_earlier_goals() {
 }
 
 void RosRobot::stop() noexcept {
-  // By its number, however the clock was set meanwhile; and what was told before it.
+  // Cancels by goal number, in case the clock was set meanwhile, and also any earlier goals.
   move_client_.cancel();
   follow_client_.cancel();
   move_client_.cancel_until(ros::Time::now());

@@ -13,13 +13,13 @@ using scan_cell_msgs::SetAcquisition;
 
 namespace {
 
-constexpr std::uint32_t kQueue = 20;  // frames of which only half has come
+constexpr std::uint32_t kQueue = 20;  // frames of which only one half has arrived
 
-/// @throw UnusableInput if the message does not hold the image that it says
+/// @throw UnusableInput if the message does not hold the image that it describes
 cv::Mat pixels_of(const sensor_msgs::ImageConstPtr& image) {
   try {
     return cv_bridge::toCvCopy(image)->image;
-  } catch (const std::exception& error) {  // of cv_bridge, or of OpenCV
+  } catch (const std::exception& error) {  // from cv_bridge or OpenCV
     throw scan_cell_common::UnusableInput("image of encoding '" + image->encoding + "'",
                                           error.what(), "look at the camera's node");
   }
@@ -74,7 +74,7 @@ std::optional<Snapshot> RosSnapshotCamera::snapshot() {
 }
 
 void RosSnapshotCamera::stop() noexcept {
-  constexpr double kTimeout = 2;  // [s] a camera that was lost may not answer for longer; chosen
+  constexpr double kTimeout = 2;  // [s] a lost camera may not answer for longer; chosen
   try {
     set_acquisition(SetAcquisition::Request::STOP, kTimeout);
   } catch (const scan_cell_common::Error& error) {

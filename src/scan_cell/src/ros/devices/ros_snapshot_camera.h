@@ -20,7 +20,7 @@
 namespace scan_cell {
 
 /// The camera behind a node with tecnogamma_camera's interface, in its mode RELIEF_LIVE: an image
-/// and a profile belong together by their stamp, and to a start by its number.
+/// and a profile are matched by their stamp, and to a start by its number.
 class RosSnapshotCamera : public SnapshotCamera {
  public:
   RosSnapshotCamera(ros::NodeHandle node, const Parameters& parameters);
@@ -34,7 +34,7 @@ class RosSnapshotCamera : public SnapshotCamera {
  private:
   using Settings = scan_cell_msgs::CameraSettings;
 
-  /// @param settings none: they stay as they are
+  /// @param settings none: they stay unchanged
   scan_cell_msgs::SetAcquisition::Response set_acquisition(
       std::uint8_t mode, double timeout, const std::optional<Settings>& settings = {}) const;
   void on_frame(const scan_cell_msgs::PeakProfileConstPtr& profile,
@@ -43,9 +43,9 @@ class RosSnapshotCamera : public SnapshotCamera {
   ros::NodeHandle node_;
   const Parameters parameters_;
   std::optional<Settings> before_;               // outside a session; none: nothing to restore
-  std::mutex mutex_;                             // of what follows
-  std::uint32_t acquisition_ = 0;                // the start that counts
-  scan_cell_msgs::PeakProfileConstPtr profile_;  // of its first whole frame, as the image
+  std::mutex mutex_;                             // guards all that follows
+  std::uint32_t acquisition_ = 0;                // the present start
+  scan_cell_msgs::PeakProfileConstPtr profile_;  // of its first whole frame, like the image
   sensor_msgs::ImageConstPtr image_;
   message_filters::Subscriber<scan_cell_msgs::PeakProfile> profiles_;
   message_filters::Subscriber<sensor_msgs::Image> images_;

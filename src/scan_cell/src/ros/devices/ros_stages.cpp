@@ -35,7 +35,7 @@ RosStages::RosStages(const std::string& binder, const std::string& triangulation
 }
 
 double RosStages::longest(double patience) const {
-  constexpr double kRounds = 4;  // chosen; patience begins anew while late data keeps coming
+  constexpr double kRounds = 4;  // chosen; patience restarts while late data keeps arriving
   return call_timeout_ + kRounds * patience;
 }
 
@@ -134,7 +134,7 @@ std::vector<std::uint64_t> RosStages::bind(const std::vector<ArmingPulses>& armi
   return missing;
 }
 
-/// An arming without any frame at all is left to bind(): there the camera was lost.
+/// An arming without any frame is left to bind(): there the camera was lost.
 void RosStages::check_each_bound(const std::vector<ArmingPulses>& armings) const {
   using scan_cell_msgs::DroppedFrame;
   std::map<std::uint32_t, std::set<std::uint64_t>> unbound;  // pulses by arming
@@ -146,7 +146,7 @@ void RosStages::check_each_bound(const std::vector<ArmingPulses>& armings) const
   for (std::size_t i = 0; i < armings.size(); ++i) {
     const auto reason = why.find(armings[i].arming);
     if (reason == why.end() || unbound[armings[i].arming].size() < armings[i].pulses) continue;
-    // An arming without a pulse is not among them: then no name is certain.
+    // Armings without a pulse are not included: then no name is certain.
     const std::string name =
         runs_.size() == armings.size() ? runs_[i] : fmt::format("arming {}", armings[i].arming);
     throw scan_cell_common::Refused(
@@ -162,7 +162,7 @@ void RosStages::triangulate(bool whole, double patience) {
   request.partial = !whole;
   const auto response = ask<FinishCloud>(finish_cloud(), request, longest(patience));
   statistics_ = response.statistics;
-  cloud_ = response.cloud;  // also where it failed: what was captured is kept
+  cloud_ = response.cloud;  // even on failure: what was captured is kept
   cloud_file_ = response.file;
   check_answer(finish_cloud(), response);
 }

@@ -22,7 +22,7 @@ class RosStages : public Stages {
  public:
   /// @param binder node with ~start, ~check_run, ~start_run and ~finish
   /// @param triangulation node with ~start, ~check_run and ~finish
-  /// @param call_timeout [s] the longest a call may take beyond what it waits for late data
+  /// @param call_timeout [s] longest a call may take beyond its wait for late data
   /// @param base_frame of the robot's poses, for check_run() and start_run()
   RosStages(const std::string& binder, const std::string& triangulation, double call_timeout,
             const std::string& base_frame = "");
@@ -31,7 +31,7 @@ class RosStages : public Stages {
   void start(const std::string& scan_id) override;
   void check_run(const ScanRun& run) override;
   void start_run(const ScanRun& run) override;
-  /// @throw scan_cell_common::Refused naming a pass of which no frame was bound, and why
+  /// @throw scan_cell_common::Refused naming a pass without a bound frame, and why
   std::vector<std::uint64_t> bind(const std::vector<ArmingPulses>& armings,
                                   double patience) override;
   void triangulate(bool whole, double patience) override;
@@ -40,12 +40,12 @@ class RosStages : public Stages {
   /// Forgets the results of the last scan.
   void clear();
 
-  /// Of the scan that ended last, also where it failed; empty since clear() or start().
+  /// Audit of the latest scan, even if it failed; empty after clear() or start().
   const scan_cell_msgs::BindingAudit& audit() const { return audit_; }
   const std::string& binding() const { return binding_; }  //!< the audit for a person
   const scan_cell_msgs::CloudStatistics& statistics() const { return statistics_; }
   const sensor_msgs::PointCloud2& cloud() const { return cloud_; }
-  /// With the cloud, where that is too large for a message; else empty.
+  /// File with the cloud if it is too large for a message; else empty.
   const std::string& cloud_file() const { return cloud_file_; }
 
  private:
@@ -59,11 +59,11 @@ class RosStages : public Stages {
   const std::string triangulation_;
   const double call_timeout_;
   const std::string base_frame_;
-  ros::Publisher told_;             // ~runs, what the binder was told of them
+  ros::Publisher told_;             // ~runs, as announced to the binder
   std::string scan_id_;             // since start()
   std::vector<std::string> runs_;   // their names, since start()
   bool under_way_ = false;          // from start() to bind()
-  ros::ServiceClient binder_line_;  // held from start() on: it breaks where the node dies
+  ros::ServiceClient binder_line_;  // held from start() on: it breaks if the node dies
   ros::ServiceClient triangulation_line_;
   scan_cell_msgs::BindingAudit audit_;
   std::string binding_;

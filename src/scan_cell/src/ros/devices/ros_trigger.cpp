@@ -17,8 +17,8 @@ using scan_cell_msgs::DisarmTrigger;
 
 namespace {
 
-/// [s] The robot moves while the trigger is asked. Where its node hangs, its own keep-alive
-/// switches the lasers off.
+/// [s] The robot moves during a call to the trigger. If the trigger's node hangs, its own
+/// keep-alive switches the lasers off.
 constexpr double kCallTimeout = 0.75;  // [s] chosen
 
 ArmTrigger::Request request_for(double rate, const Lighting& lighting) {

@@ -14,14 +14,14 @@
 
 namespace scan_cell {
 
-/// Makes of a work's goal what the robot follows, in its base frame.
+/// Turns the goal of a work into the plan that the robot follows, in its base frame.
 class WorkPlanner {
  public:
   explicit WorkPlanner(const Parameters& parameters) : parameters_(parameters) {}
 
   /// @param report that accepted the goal's path
-  /// @throw scan_cell_common::Error as load_tool_path() and plan_of(); Refused if a frame is not
-  /// known
+  /// @throw scan_cell_common::Error as load_tool_path() and plan_of(); Refused if a frame is
+  /// unknown
   WorkPlan plan(const scan_cell_msgs::WorkGoal& goal,
                 const tool_path_programs::AcceptedReport& report) const;
 

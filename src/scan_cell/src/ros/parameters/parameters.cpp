@@ -13,7 +13,7 @@ using scan_cell_common::ParameterTable;
 
 double Parameters::silence_allowed(double rate) const {
   constexpr double kPeriods = 5;    // of frames; chosen
-  constexpr double kLongest = 1.0;  // [s] a laser must be off two seconds after a device is lost
+  constexpr double kLongest = 1.0;  // [s] lasers must be off two seconds after a device is lost
   return std::max(lost_after, std::min(kLongest, kPeriods / rate));
 }
 

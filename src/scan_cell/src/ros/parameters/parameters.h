@@ -33,15 +33,15 @@ struct Parameters {
   SessionLimits session_limits;
   SessionSequence::Timing session;  //!< of calibration sessions; stall as in timing
   scan_calibration::CalibrationLimits
-      calibration_limits;  //!< what a model must reach to be written
+      calibration_limits;  //!< limits that a model must meet to be written
   WorkParameters work;
 
-  /// [s] of silence that a device which ticks at `rate` [Hz] may keep: five periods where that is
-  /// longer, up to one second.
+  /// Silence [s] allowed to a device that ticks at `rate` [Hz]: lost_after, or five periods if that
+  /// is longer, up to one second.
   double silence_allowed(double rate) const;
 };
 
-/// With range, unit and meaning of each.
+/// Adds each parameter with its range, unit and meaning.
 void describe(scan_cell_common::ParameterTable& table, Parameters& parameters);
 
 }  // namespace scan_cell

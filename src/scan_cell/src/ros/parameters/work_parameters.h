@@ -20,11 +20,11 @@ struct WorkParameters {
   DryRun dry_run;
   WorkRules rules;
   std::string tip_frame = "tool_tip";
-  std::string frames = "/calibrated_frames";  //!< node that has the calibration's files
-  std::string dry_runs = "dry_runs.json";     //!< file with the dry runs that were finished
+  std::string frames = "/calibrated_frames";  //!< node with the calibration's files
+  std::string dry_runs = "dry_runs.json";     //!< file with the finished dry runs
 };
 
-/// With range, unit and meaning of each.
+/// Adds each parameter with its range, unit and meaning.
 void describe(scan_cell_common::ParameterTable& table, WorkParameters& parameters);
 
 }  // namespace scan_cell

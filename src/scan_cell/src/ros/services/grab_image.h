@@ -10,7 +10,7 @@
 
 namespace scan_cell {
 
-/// The service ~grab_image: has the cell while it takes the image, so that no scan begins
+/// The service ~grab_image. It occupies the cell while it takes the image, so that no scan begins
 /// meanwhile.
 class GrabImage {
  public:

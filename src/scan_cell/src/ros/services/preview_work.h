@@ -10,8 +10,8 @@
 
 namespace scan_cell {
 
-/// The service ~preview_work, and the topic ~work_preview for those who draw it: where the tip and
-/// the joints would go, how fast, and where they cannot. Nothing moves.
+/// The service ~preview_work, and the topic ~work_preview for displays: where the tip and the
+/// joints would move, how fast, and where they cannot. Nothing moves.
 class PreviewWork {
  public:
   /// @param base_frame of the robot

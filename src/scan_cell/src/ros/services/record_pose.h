@@ -9,7 +9,7 @@
 
 namespace scan_cell {
 
-/// The service ~record_pose: somebody moves the robot by its pendant, and its poses are kept.
+/// The service ~record_pose: a person moves the robot by its pendant, and its poses are recorded.
 class RecordPose {
  public:
   /// @param base_frame of the robot's poses

@@ -13,7 +13,7 @@
 namespace scan_cell {
 namespace {
 
-constexpr double kLook = 0.01;  // [s] between two looks; chosen
+constexpr double kLook = 0.01;  // [s] between two checks; chosen
 
 }  // namespace
 
@@ -42,12 +42,12 @@ void GoalsUnderWay::cancel(double timeout) {
   }
   const std::lock_guard<std::mutex> lock(mutex_);
   cancelled_ = heard_;
-  canceller_.publish(actionlib_msgs::GoalID());  // without a name and a time: all
+  canceller_.publish(actionlib_msgs::GoalID());  // without name and time: all goals
 }
 
 void GoalsUnderWay::wait_until_ended(double timeout) const {
   const ros::WallTime deadline = ros::WallTime::now() + ros::WallDuration(timeout);
-  std::optional<std::set<std::string>> cancelled;  // none: the server told nothing since
+  std::optional<std::set<std::string>> cancelled;  // none: nothing received from the server since
   while (canceller_.getNumSubscribers() > 0) {
     {
       const std::lock_guard<std::mutex> lock(mutex_);

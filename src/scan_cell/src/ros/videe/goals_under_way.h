@@ -11,18 +11,18 @@
 
 namespace scan_cell {
 
-/// The goals that an action's server has under way, whoever sent them. Callbacks must be served by
+/// The goals in progress on an action's server, whoever sent them. Callbacks must be served by
 /// another thread.
 class GoalsUnderWay {
  public:
   GoalsUnderWay(ros::NodeHandle node, const std::string& action);
 
-  /// Has all of them cancelled.
+  /// Cancels all of them.
   /// @param timeout [s] for the server to be there
-  /// @throw scan_cell_common::ConnectionError if it is not: nobody knows what is under way
+  /// @throw scan_cell_common::ConnectionError if it is not: the goals are unknown
   void cancel(double timeout);
 
-  /// Waits until those that were cancelled have come to their end. Where the server goes they have.
+  /// Waits until the cancelled goals have ended. If the server is gone, they have.
   /// @param timeout [s]
   /// @throw scan_cell_common::ConnectionError if they have not within that time
   void wait_until_ended(double timeout) const;
@@ -31,12 +31,12 @@ class GoalsUnderWay {
   void on_status(const actionlib_msgs::GoalStatusArray& status);
 
   const std::string action_;
-  mutable std::mutex mutex_;  // of what follows
+  mutable std::mutex mutex_;  // guards all that follows
   std::set<std::string> under_way_;
   std::uint64_t heard_ = 0;      // messages
-  std::uint64_t cancelled_ = 0;  // of them, when cancel() was called
+  std::uint64_t cancelled_ = 0;  // count when cancel() was called
   ros::Publisher canceller_;
-  ros::Subscriber status_;  // last: its callbacks use all the rest
+  ros::Subscriber status_;  // last, since its callbacks use the other members
 };
 
 }  // namespace scan_cell

@@ -11,12 +11,12 @@ namespace scan_cell {
 /// A cloud for a client that has no ROS.
 struct KeptCloud {
   std::string file;     //!< PLY [m]
-  std::string machine;  //!< on which it lies: its name or address, as ROS knows it
+  std::string machine;  //!< that has the file: name or address, as ROS knows it
 };
 
-/// Saves a scan's cloud in `folder` under the scan's name; one that was too large for a message
-/// stays in the file where the triangulation left it.
-/// @param triangulation its node
+/// Saves a scan's cloud in `folder` under the scan's name. A cloud that was too large for a message
+/// stays in the triangulation's file.
+/// @param triangulation name of its node
 /// @throw scan_cell_common::Refused with the scan's own message, if nothing was captured
 /// @throw scan_cell_common::Error if the cloud cannot be saved
 KeptCloud keep_cloud(const scan_cell_msgs::ScanResult& scan, const std::string& folder,

@@ -28,7 +28,7 @@ std::string time_stamp() {
   return text;
 }
 
-/// @param lasers that were calibrated
+/// @param lasers mask of the calibrated lasers
 std::string figures(const CalibrateResult& result, std::uint8_t lasers) {
   const scan_cell_msgs::CalibrationFigures& held_out = result.held_out;
   char text[64];

@@ -23,16 +23,16 @@ class VideeCalibration {
                    const std::string& action, const CellWatcher& watcher, double call_timeout);
 
   /// Reads the taught poses.
-  /// @return how many, as poses=N
+  /// @return their number, as poses=N
   /// @throw scan_cell_common::Error if they cannot be used
   std::string init();
 
-  /// Records and computes.
+  /// Records a session and computes the model.
   /// @return the figures
-  /// @throw scan_cell_common::Error, also where the client goes while it waits
+  /// @throw scan_cell_common::Error, also if the client goes away during the wait
   std::string perform(const VideeServer::ClientThere& client_there);
 
-  /// Ends what is under way; INIT_CALIBRATION is needed again.
+  /// Ends a goal in progress; INIT_CALIBRATION is needed again.
   /// @throw scan_cell_common::ConnectionError if it does not end
   void reset();
 
@@ -44,8 +44,8 @@ class VideeCalibration {
   const CellWatcher& watcher_;
   const double call_timeout_;
   scan_cell_common::GoalClient<scan_cell_msgs::CalibrateAction> client_;
-  bool ready_ = false;    // the taught poses were read
-  bool running_ = false;  // a goal is under way
+  bool ready_ = false;    // the taught poses have been read
+  bool running_ = false;  // a goal is in progress
 };
 
 }  // namespace scan_cell

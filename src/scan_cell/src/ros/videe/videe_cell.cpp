@@ -20,9 +20,9 @@ using scan_cell_common::Refused;
 
 namespace {
 
-constexpr double kCallsInside = 4;  // timeouts: three calls inside of grab_image, and its own
+constexpr double kCallsInside = 4;  // timeouts: three calls inside grab_image, and its own
 
-/// Whether a command only ends things.
+/// Whether a command only ends something.
 bool is_end(VideeCommandKind kind) {
   return kind == VideeCommandKind::kInitCycle || kind == VideeCommandKind::kReset;
 }
@@ -116,7 +116,7 @@ std::string VideeCell::start_scan() {
   return "";
 }
 
-/// STOP_SCAN is still to come, and tells how it ended.
+/// STOP_SCAN follows and reports how the scan ended.
 std::string VideeCell::wait_scan(const VideeServer::ClientThere& client_there) {
   if (!running_) throw Refused("WAIT_SCAN", "no scan is running", "send START_SCAN first");
   bool under_way = true;
@@ -161,7 +161,7 @@ std::string VideeCell::grab_image() {
   std::string path;
   do {
     path = fmt::format("{}/image_{}.png", parameters_.image_folder, ++images_);
-  } while (std::filesystem::exists(path));  // of an earlier run of this node
+  } while (std::filesystem::exists(path));  // names used by an earlier run of this node
   if (!cv::imwrite(path, image->image)) {
     throw scan_cell_common::FileError(path, "cannot be written", "check image_folder");
   }

@@ -19,17 +19,17 @@
 
 namespace scan_cell {
 
-/// What the ViDeE commands do to the cell.
+/// Carries out the ViDeE commands on the cell.
 class VideeCell {
  public:
   /// @throw scan_cell_common::Error if the scan program cannot be used
   VideeCell(ros::NodeHandle node, const VideeParameters& parameters);
 
-  /// @return what follows OK
-  /// @throw scan_cell_common::Error, also where the client goes while it waits
+  /// @return the text after OK
+  /// @throw scan_cell_common::Error, also if the client goes away during the wait
   std::string carry_out(const VideeCommand& command, const VideeServer::ClientThere& client_there);
 
-  /// A client that is gone no longer watches: its scan or calibration is cancelled.
+  /// Cancels the scan or calibration of a client that is gone, since it no longer watches.
   void on_client_lost();
 
  private:
@@ -38,7 +38,8 @@ class VideeCell {
   std::string start_scan();
   std::string wait_scan(const VideeServer::ClientThere& client_there);
   std::string stop_scan(const VideeServer::ClientThere& client_there);
-  /// @throw scan_cell_common::FileError if it cannot be saved; the next STOP_SCAN tries again
+  /// @throw scan_cell_common::FileError if the cloud cannot be saved; the next STOP_SCAN tries
+  /// again
   KeptCloud keep(const scan_cell_msgs::ScanResult& scan);
   void end_own();
   void end_all();

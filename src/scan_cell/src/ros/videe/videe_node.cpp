@@ -27,6 +27,6 @@ int main(int argc, char** argv) {
         ROS_INFO("ViDeE is served on %s:%u", parameters.server.address.c_str(), server.port());
         while (!scan_cell_common::shutdown_requested() && ros::ok())
           ros::WallDuration(0.02).sleep();
-        // The server ends first, and with it what its client has under way.
+        // The server ends first, and with it the work of its client.
       });
 }

@@ -12,7 +12,7 @@ class ParameterTable;
 
 namespace scan_cell {
 
-/// What a calibration over ViDeE is made of.
+/// Parameters of a calibration over ViDeE.
 struct VideeCalibrationParameters {
   std::string poses;
   std::string sessions = "/tmp";
@@ -42,7 +42,7 @@ struct VideeParameters {
   double call_timeout = 5.0;  //!< [s]
 };
 
-/// With range, unit and meaning of each.
+/// Adds each parameter with its range, unit and meaning.
 void describe(scan_cell_common::ParameterTable& table, VideeParameters& parameters);
 
 }  // namespace scan_cell

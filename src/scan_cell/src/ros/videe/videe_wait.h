@@ -11,12 +11,12 @@
 
 namespace scan_cell {
 
-/// [s] for what was cancelled to be made safe and its data to be kept
-constexpr double kCancelTimeout = 15;  // as cell_client.cpp's
+/// [s] to make a cancelled goal safe and keep its data
+constexpr double kCancelTimeout = 15;  // as in cell_client.cpp
 
-/// Sends a goal and waits until the server has taken it.
-/// @throw Refused with the server's own message where it rejects it
-/// @throw ConnectionError if there is no server, or it says nothing, within `timeout` [s]
+/// Sends a goal and waits until the server has accepted it.
+/// @throw Refused with the server's own message if it rejects the goal
+/// @throw ConnectionError if there is no server, or no answer, within `timeout` [s]
 template <class Client>
 void send_goal(Client& client, const std::string& name, const typename Client::Goal& goal,
                double timeout) {
@@ -36,8 +36,8 @@ void wait_for_server(const Client& client, const std::string& name, double timeo
   throw scan_cell_common::ConnectionError(name, "no action server", "is scan_cell_node running?");
 }
 
-/// Cancels the goal under way and waits for its end.
-/// @throw ConnectionError if it does not come
+/// Cancels the goal in progress and waits for its end.
+/// @throw ConnectionError if it does not end
 template <class Client>
 void cancel_and_wait(Client& client, const std::string& name) {
   client.cancel();
@@ -50,7 +50,7 @@ void cancel_and_wait(Client& client, const std::string& name) {
 }
 
 /// Waits for a goal's end on behalf of a ViDeE client.
-/// @param running whether the goal is under way; true on return only where the client went away
+/// @param running whether the goal is in progress; true on return only if the client went away
 /// @throw ConnectionError if that client, or the action's server, goes away
 template <class Client>
 typename Client::ResultConstPtr wait_for_result(const Client& client, const std::string& name,

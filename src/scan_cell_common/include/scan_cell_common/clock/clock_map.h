@@ -11,47 +11,48 @@ namespace scan_cell_common {
 
 /// Maps the clock of a device to the host's, from pairs of a device time and the host time at which
 /// the message with it was received. A message is never early, so the pairs with the least delay
-/// are the best, and the map is a line below all pairs: its slope, the drift, is that of the
-/// lower convex hull over a long history (Zhang, Liu and Xia, INFOCOM 2002), its height that of
-/// the least delay in a short window.
+/// are the best, and the map is a line below all pairs. Its slope, the drift, is that of the lower
+/// convex hull over a long history (Zhang, Liu and Xia, INFOCOM 2002). Its height is that of the
+/// least delay in a short window.
 ///
-/// The mapped time is late by the least delay of the wire (tens of microseconds on a cable), not by
-/// its jitter. A clock that was set is followed within the window. Allocates nothing. Not safe for
-/// use from several threads at once.
+/// The mapped time is late by the least delay of the network (tens of microseconds on a cable), not
+/// by its jitter. If a clock is set, the map follows within the window. Allocates nothing. Not
+/// thread-safe.
 class ClockMap {
  public:
-  /// How the map is doing.
+  /// Figures that describe the map.
   struct Figures {
     double drift = 0;          //!< the device's clock runs 1 + drift times as fast as the host's
-    Nanoseconds residual = 0;  //!< median of the least delays above the line, each of a cell
-    Nanoseconds history = 0;   //!< device time over which the drift was sought
-    unsigned steps = 0;        //!< how often a clock was set: the history began anew
+    Nanoseconds residual = 0;  //!< median height above the line of the cells' least delays
+    Nanoseconds history = 0;   //!< device time over which the drift was estimated
+    unsigned steps = 0;        //!< how often a clock was set, which restarts the history
   };
 
-  /// @param window how much device time the least delay is sought over [ns], above 0; the drift is
-  /// sought over sixteen times as much
-  /// @throw InvalidParameter if it is not
+  /// @param window device time [ns] over which the least delay is taken, above 0; the drift is
+  /// estimated over sixteen times as much
+  /// @throw InvalidParameter if the window is not above 0
   explicit ClockMap(Nanoseconds window);
 
-  /// Takes a pair. A device time before the last one restarts the map: the device was restarted.
+  /// Adds a pair. A device time before the last one means that the device was restarted, and
+  /// restarts the map.
   void add(Nanoseconds device, Nanoseconds host);
 
-  bool empty() const { return count_ == 0; }  //!< whether no pair was added yet
+  bool empty() const { return count_ == 0; }  //!< whether no pair has been added yet
 
   /// Host time [ns] of a device time.
-  /// @throw Refused if no pair was added
+  /// @throw Refused if no pair has been added
   Nanoseconds to_host(Nanoseconds device) const;
 
-  Figures figures() const;  //!< of the map as it is now
+  Figures figures() const;  //!< of the present map
 
  private:
   static constexpr std::size_t kCells = 64;
 
-  /// The pair of a stretch of device time that was delayed least.
+  /// The pair with the least delay in a stretch of device time.
   struct Cell {
     Nanoseconds number = 0;  // of the stretch
     double device = 0;       // [ns] since the reference
-    double offset = 0;       // [ns] host - device, less that of the reference
+    double offset = 0;       // [ns] host - device, minus that of the reference
   };
 
   const Cell& cell(std::size_t i) const { return cells_[(first_ + i) % kCells]; }

@@ -6,7 +6,7 @@
 
 namespace scan_cell_common {
 
-/// This computer's wall clock, by which ROS stamps, too; may be set back.
+/// This computer's wall clock, also used for ROS stamps; may be set back.
 Nanoseconds host_now();
 
 }  // namespace scan_cell_common

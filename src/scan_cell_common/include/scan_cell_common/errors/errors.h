@@ -7,17 +7,17 @@
 
 namespace scan_cell_common {
 
-/// Base of every error of the suite: what it is about, the value it had, and what would help.
-/// what() reads "THING: VALUE; CURE".
+/// Base of every error of the suite: the thing it is about, its value, and the cure. what() reads
+/// "THING: VALUE; CURE".
 class Error : public std::runtime_error {
  public:
   /// @param thing what the error is about, such as a parameter's name or a file's path
-  /// @param value what it was
+  /// @param value the value of the thing
   /// @param cure what to do about it
   Error(const std::string& thing, const std::string& value, const std::string& cure);
 
   const std::string& thing() const { return thing_; }  //!< what it is about
-  const std::string& value() const { return value_; }  //!< what it was
+  const std::string& value() const { return value_; }  //!< its value
   const std::string& cure() const { return cure_; }    //!< what to do
 
  private:
@@ -56,7 +56,7 @@ class ProtocolError : public Error {
   using Error::Error;  //!< thing, value, cure
 };
 
-/// What was asked for is not possible now, or not allowed: nothing was done.
+/// A request is not possible now, or not allowed: nothing was done.
 class Refused : public Error {
  public:
   using Error::Error;  //!< thing, value, cure

@@ -9,20 +9,19 @@
 
 namespace scan_cell_common {
 
-/// The number a text is from its first to its last character; none if it is not. Independent of the
-/// locale.
+/// The number that the whole text is; none if it is not a number. Independent of the locale.
 std::optional<double> parse_number(std::string_view text);
 
 /// The same for a whole number from 0 up.
 std::optional<std::uint64_t> parse_count(std::string_view text);
 
-/// In lower case, letters of ASCII alone.
+/// The text with ASCII letters in lower case.
 std::string lower_case(std::string_view text);
 
-/// What a text begins with, fit for an error message: short, and without control characters.
+/// The start of a text for an error message: short, and without control characters.
 std::string excerpt(std::string_view text);
 
-/// Without the mark that some editors put before UTF-8.
+/// The text without the mark that some editors put before UTF-8.
 std::string_view without_byte_order_mark(std::string_view text);
 
 /// Goes through a text line by line, each split into words at its blanks. Lines end with LF or
@@ -43,10 +42,10 @@ class LineReader {
   /// Where the line after this one begins.
   std::size_t position() const { return position_; }
 
-  /// Of bytes that are not read yet.
+  /// Number of bytes not read yet.
   std::size_t left() const { return text_.size() - position_; }
 
-  /// The text's name and the line's number, as errors give them.
+  /// The text's name and the line's number, for errors.
   std::string where() const;
 
  private:

@@ -9,11 +9,11 @@
 
 namespace scan_cell_common {
 
-/// Goes through a table of fields between commas, line by line. Empty lines and lines that begin
-/// with # are left out, blanks around a field too; lines end with LF or CR LF. There is no quoting.
+/// Reads a table of comma-separated fields line by line. Empty lines and lines that begin with #
+/// are skipped, and blanks around a field removed. Lines end with LF or CR LF. There is no quoting.
 class CsvReader {
  public:
-  /// @param text must outlive it
+  /// @param text must outlive the reader
   /// @param source names the text in errors
   CsvReader(std::string_view text, std::string source);
 
@@ -29,11 +29,11 @@ class CsvReader {
   /// @throw UnusableInput if this line has another number of fields
   void expect_fields(std::size_t count) const;
 
-  /// @throw UnusableInput if the field is no finite number
+  /// @throw UnusableInput if the field is not a finite number
   double number(std::size_t column) const;
 
   /// The pose in seven fields from `column` on: x, y, z [m], unit quaternion qx, qy, qz, qw.
-  /// @throw UnusableInput if it is none: also where it looks like millimetres or Euler angles
+  /// @throw UnusableInput if it is not a pose, or looks like millimetres or Euler angles
   Eigen::Isometry3d pose(std::size_t column) const;
 
   /// @throw UnusableInput about this line

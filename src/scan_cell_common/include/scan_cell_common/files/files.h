@@ -9,15 +9,15 @@
 namespace scan_cell_common {
 
 /// The bytes of a file of at most 2 GiB.
-/// @throw FileError if it is missing, larger, unreadable or no file but a folder, device or pipe
+/// @throw FileError if it is missing, larger, unreadable, or a folder, device or pipe
 std::string read_file(const std::string& path);
 
 /// The ending of a file's name in lower case, with its dot.
 std::string extension_of(const std::string& path);
 
-/// Writes a file whole or not at all: `write` writes it beside its place, then it is renamed; where
-/// that fails nothing is left behind.
-/// @param write gets the name to write to and tells whether that went well
+/// Writes a file whole or not at all: `write` writes a temporary file beside it, which is then
+/// renamed; on failure nothing is left behind.
+/// @param write gets the name to write to and returns whether it succeeded
 /// @throw FileError if it cannot be written
 void save_whole(const std::string& path, const std::function<bool(const std::string&)>& write);
 
@@ -25,12 +25,12 @@ void save_whole(const std::string& path, const std::function<bool(const std::str
 /// @throw FileError if it cannot be written
 void save_text(const std::string& path, const std::string& text);
 
-/// What is written must not take the place of what is read: also by another name of the same file.
-/// @throw FileError if `written` is one of the others; names that are empty are left out
+/// Refuses to write over a file that is read, even under another name of the same file.
+/// @throw FileError if `written` is one of the others; empty names are ignored
 void refuse_overwriting(const std::string& written, const std::vector<std::string>& others);
 
-/// What can be said of a file to write before the work that fills it: its ending, and that its
-/// folder is there.
+/// Checks what can be checked of a file to be written before the work that fills it: its ending,
+/// and that its folder exists.
 /// @param endings allowed, in lower case, with the dot
 /// @param cure names them: "write clouds as .ply or .pcd"
 /// @throw FileError

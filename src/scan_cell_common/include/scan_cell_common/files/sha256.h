@@ -7,11 +7,11 @@
 namespace scan_cell_common {
 
 /// SHA-256 of bytes in lower case hexadecimal digits.
-/// @param name of what has them, for the error
+/// @param name of their source, for the error
 /// @throw FileError if it cannot be computed
 std::string sha256_of(const std::string& bytes, const std::string& name);
 
-/// Of a file's bytes. @throw FileError if it cannot be read
+/// SHA-256 of a file's bytes. @throw FileError if it cannot be read
 std::string sha256_of_file(const std::string& path);
 
 }  // namespace scan_cell_common

@@ -7,11 +7,11 @@
 
 namespace scan_cell_common {
 
-/// A folder for files on their way, that is removed with this object.
+/// A folder for temporary files, removed with this object.
 class TemporaryFolder {
  public:
-  /// @param name it begins with, such as the tool's
-  /// @throw FileError if none can be made
+  /// @param name start of the folder's name, such as the tool's name
+  /// @throw FileError if the folder cannot be created
   explicit TemporaryFolder(const std::string& name);
   ~TemporaryFolder();
 

@@ -18,13 +18,13 @@ namespace scan_cell_common {
 /// @throw FileError if the file is missing, unreadable or not YAML
 YAML::Node load_yaml(const std::string& path);
 
-/// The same for text that was read already.
-/// @param name of the text, in errors
+/// The same for text already in memory.
+/// @param name of the text, for errors
 /// @throw FileError if it is not YAML
 YAML::Node parse_yaml(const std::string& text, const std::string& name);
 
-/// One entry of a YAML file. Errors name the file and the entry's whole way, such as
-/// "scanner.yaml: camera.fx", and its line; of what is missing, that of the map it belongs in.
+/// One entry of a YAML file. Errors name the file, the entry's full path, such as "scanner.yaml:
+/// camera.fx", and its line; for a missing entry, the line of the map it belongs in.
 class YamlEntry {
  public:
   /// The root of a file.
@@ -34,12 +34,12 @@ class YamlEntry {
   /// The root of a text. @throw FileError as parse_yaml()
   static YamlEntry parse(const std::string& text, const std::string& name);
 
-  /// @param file and name of the entry in it, in errors
+  /// @param file, name file and full path of the entry, for errors
   YamlEntry(const YAML::Node& node, const std::string& file, const std::string& name = "");
 
   bool is_map() const;                     //!< whether it has keys
   bool is_list() const;                    //!< whether it has elements
-  bool is_null() const;                    //!< it stands there, and holds nothing: ~
+  bool is_null() const;                    //!< whether it is present but empty: ~
   bool has(const std::string& key) const;  //!< whether it is a map with this key
 
   /// @throw UnusableInput if it is missing
@@ -62,21 +62,21 @@ class YamlEntry {
     return Eigen::Map<const Eigen::Matrix<double, N, 1>>(numbers(N).data());
   }
 
-  /// A vector of any length but none, as one of length 1; what has that length, but for rounding,
-  /// comes back to the last digit.
-  /// @throw UnusableInput if it is none
+  /// A vector of any length above 0, normalised; one of length 1 within rounding is returned
+  /// unchanged to the last digit.
+  /// @throw UnusableInput if it is not such a vector
   Eigen::Vector3d direction() const;
 
   /// A map of `translation` [m] and `rotation` (unit quaternion x y z w).
-  /// @throw UnusableInput if one is missing or makes no sense
+  /// @throw UnusableInput if one is missing or invalid
   Eigen::Isometry3d pose() const;
 
-  /// Those of a list.
-  /// @throw UnusableInput if it is none
+  /// The elements of a list.
+  /// @throw UnusableInput if it is not a list
   std::vector<YamlEntry> elements() const;
 
-  /// Those of a map, with their keys, in the order of the file.
-  /// @throw UnusableInput if it is none
+  /// The entries of a map, with their keys, in the order of the file.
+  /// @throw UnusableInput if it is not a map
   std::vector<std::pair<std::string, YamlEntry>> entries() const;
 
   /// @throw UnusableInput if a key is not among `known`, or this is no map
@@ -85,7 +85,7 @@ class YamlEntry {
   /// @throw UnusableInput about this entry
   [[noreturn]] void refuse(const std::string& value, const std::string& cure) const;
 
-  const std::string& name() const { return name_; }  //!< the entry's whole way in the file
+  const std::string& name() const { return name_; }  //!< the entry's full path in the file
 
  private:
   std::vector<double> numbers(std::size_t count) const;
@@ -96,10 +96,10 @@ class YamlEntry {
   std::string name_;
 };
 
-/// As YamlEntry::vector() reads it, to the last digit, in one line.
+/// In the form that YamlEntry::vector() reads, to the last digit, on one line.
 YAML::Node yaml_list(const Eigen::VectorXd& numbers);
 
-/// As YamlEntry::pose() reads it, to the last digit.
+/// In the form that YamlEntry::pose() reads, to the last digit.
 YAML::Node yaml_pose(const Eigen::Isometry3d& pose);
 
 }  // namespace scan_cell_common

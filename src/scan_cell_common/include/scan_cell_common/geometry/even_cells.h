@@ -11,19 +11,19 @@
 
 namespace scan_cell_common {
 
-/// Deals the points of neighbouring cells that hold one piece of a surface out among them anew, in
-/// equal numbers and side by side along the piece; those in one place stay together. A face near a
-/// border of cells has points on both sides, by its noise. With means of the cells as they are, the
-/// few points beyond the border would count for as much as all others, and shift the face by up to
-/// its noise.
+/// Redistributes the points of neighbouring cells that hold one piece of a surface among these
+/// cells, in equal numbers and side by side along the piece; points in one place stay together.
+/// Because of noise, a face near a border of cells has points on both sides. If the cells were
+/// averaged as they are, the few points beyond the border would count as much as all others, and
+/// shift the face by up to its noise.
 ///
 /// Two neighbours are one piece if their means are less than half a cell apart across their border
-/// and hardly along it, or if one has few points beside the other and is less than a cell apart;
-/// but only with enough points to tell, and across a border along which neither fills its cell.
-/// @param entries as sort_into_grid() gives them, with this grid
+/// and hardly along it, or if one has few points compared with the other and is less than a cell
+/// away. This requires enough points to tell, and a border across which neither fills its cell.
+/// @param entries from sort_into_grid() with this grid
 /// @param position of a point by its index [m]
-/// @return the same points in the same cells, ordered as sort_into_grid() does; of cells whose
-/// points lie in fewer places than there are cells some get none
+/// @return the same points in the same cells, in the order of sort_into_grid(); if the points of a
+/// piece lie in fewer places than it has cells, some cells get none
 std::vector<GridEntry> with_even_cells(std::vector<GridEntry> entries,
                                        const std::function<Eigen::Vector3d(std::size_t)>& position,
                                        const Grid& grid);

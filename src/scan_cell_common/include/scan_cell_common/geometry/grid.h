@@ -13,12 +13,12 @@ namespace scan_cell_common {
 /// A grid through the origin that sorts points into cells.
 struct Grid {
   Eigen::Vector3d leaf;     //!< [m] edges of a cell, above 0
-  std::array<int, 3> axes;  //!< by which cells are ordered, the most significant first
-  double max_cells;         //!< from the origin along an axis; at most 1e15, to count by ones
+  std::array<int, 3> axes;  //!< order of cells, the most significant axis first
+  double max_cells;         //!< from the origin along an axis; at most 1e15, to stay exact
 
   /// Number of the cell along an axis.
-  /// @param point its index, for the error
-  /// @throw UnusableInput if the coordinate is not finite or lies beyond `max_cells`
+  /// @param point index of the point, for the error
+  /// @throw UnusableInput if the coordinate is not finite or is beyond `max_cells`
   std::int64_t cell(double coordinate, int axis, std::size_t point) const;
 };
 
@@ -33,9 +33,8 @@ struct GridEntry {
   }
 };
 
-/// All points by their cells, and within a cell by their index. Cells are counted in 64 bits and
-/// sorted, so that neither the extent of the cloud nor the order of a hash table can change what
-/// follows from them.
+/// All points, sorted by cell, and within a cell by index. Cells are counted in 64 bits and sorted,
+/// so that neither the extent of the cloud nor the order of a hash table can affect the result.
 /// @param position of a point by its index [m]
 /// @throw UnusableInput as Grid::cell()
 template <class Position>

@@ -9,8 +9,8 @@
 
 namespace scan_cell_common {
 
-/// A kd-tree over a list of points, for queries of nearest neighbours. All lengths are in the
-/// points' unit.
+/// A kd-tree over a list of points, for nearest-neighbour queries. All lengths are in the points'
+/// unit.
 /// @tparam Points a list with size() and operator[]
 /// @tparam Coordinate a function object (point, axis) -> Scalar
 template <class Points, class Coordinate, class Scalar>
@@ -18,30 +18,30 @@ class KdTree {
  public:
   using Index = std::uint32_t;  //!< of a point
 
-  /// @param points must outlive the tree, and stay where they are
-  /// @param leaf_size points at the end of a branch; changes the speed, and the order of ties
+  /// @param points must outlive the tree and not move in memory
+  /// @param leaf_size points per leaf; affects the speed and the order of ties
   explicit KdTree(const Points& points, std::size_t leaf_size = 16)
       : source_{points}, tree_(3, source_, nanoflann::KDTreeSingleIndexAdaptorParams(leaf_size)) {}
-  KdTree(const KdTree&) = delete;  // nanoflann's tree knows where its points are
+  KdTree(const KdTree&) = delete;  // nanoflann's tree refers to its points
   KdTree& operator=(const KdTree&) = delete;
 
   /// The `count` nearest points, nearest first.
   /// @param query three coordinates
-  /// @return how many there are: fewer where the list is shorter
+  /// @return how many were found: fewer if the list is shorter
   std::size_t nearest(const Scalar* query, std::size_t count, Index* indices,
                       Scalar* squared_distances) const {
     return tree_.knnSearch(query, count, indices, squared_distances);
   }
 
-  /// The nearest point that is nearer than the root of a square: a bound known from before makes
-  /// the search shorter.
-  /// @param index,squared_distance the bound, and then the point; as they were where there is none
+  /// The nearest point within a given distance: a known bound makes the search shorter.
+  /// @param index,squared_distance in: the squared bound; out: the point; unchanged if there is
+  /// none
   void nearest_within(const Scalar* query, Index& index, Scalar& squared_distance) const {
     Nearest nearest{index, squared_distance};
     tree_.findNeighbors(nearest, query, nanoflann::SearchParams());
   }
 
-  /// All points nearer than the root of `squared_radius` with their squared distances, in the
+  /// All points closer than the root of `squared_radius`, with their squared distances, in the
   /// tree's order.
   void within(const Scalar* query, Scalar squared_radius,
               std::vector<std::pair<Index, Scalar>>& found) const {
@@ -51,7 +51,7 @@ class KdTree {
   }
 
  private:
-  /// What nanoflann adds points to. Its own set of one does more for each.
+  /// Result set for nanoflann. Its own set of one point does more work per point.
   struct Nearest {
     Index& index;
     Scalar& squared_distance;

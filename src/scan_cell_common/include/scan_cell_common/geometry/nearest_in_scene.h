@@ -9,11 +9,12 @@
 
 namespace scan_cell_common {
 
-/// Searches an Embree scene of triangles [m] for what is nearest to a point. Embree finds the
-/// triangles in single precision; how far they are is asked. Whoever includes this links Embree.
-/// @param measure called as measure(geometry, triangle), by their numbers; what it returns has the
+/// Searches an Embree scene of triangles [m] for the one nearest to a point. Embree finds the
+/// triangles in single precision; `measure` gives their distances. Users of this header must link
+/// Embree.
+/// @param measure called as measure(geometry, triangle) with their numbers; its result has the
 /// member `distance` [m]
-/// @return what was measured of the nearest; its distance is infinite where there is no triangle
+/// @return the result for the nearest triangle; its distance is infinite if there are no triangles
 template <class Found, class Measure>
 Found nearest_in_scene(RTCScene scene, const Eigen::Vector3d& point, const Measure& measure) {
   struct Search {
@@ -34,7 +35,7 @@ Found nearest_in_scene(RTCScene scene, const Eigen::Vector3d& point, const Measu
     const Found found = s.measure(arguments->geomID, arguments->primID);
     if (!(found.distance < s.best.distance)) return false;
     s.best = found;
-    constexpr double kSinglePrecision = 1e-6;  // [m] looks at those equally far, too; chosen
+    constexpr double kSinglePrecision = 1e-6;  // [m] includes triangles equally far; chosen
     arguments->query->radius = static_cast<float>(found.distance + kSinglePrecision);
     return true;
   };

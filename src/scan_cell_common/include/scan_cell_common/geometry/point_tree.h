@@ -9,7 +9,7 @@
 
 namespace scan_cell_common {
 
-/// Behind PointTree.
+/// Implementation of PointTree.
 struct PointCoordinate {
   /// @param axis 0 .. 2
   double operator()(const Eigen::Vector3d& point, std::size_t axis) const {

@@ -14,7 +14,7 @@
 namespace scan_cell_common {
 
 /// An Embree scene of one mesh, for rays and for nearest_in_scene(). Embree keeps the points in
-/// single precision. Whoever includes this links Embree.
+/// single precision. Users of this header must link Embree.
 class TriangleScene {
  public:
   /// @param points [m]
@@ -37,7 +37,7 @@ class TriangleScene {
   TriangleScene(const TriangleScene&) = delete;
   TriangleScene& operator=(const TriangleScene&) = delete;
 
-  RTCScene scene() const { return scene_; }  //!< as long as this object lives
+  RTCScene scene() const { return scene_; }  //!< valid while this object lives
 
  private:
   /// Room for `count` elements of three numbers.

@@ -15,14 +15,14 @@ struct Endpoint {
   std::uint32_t address = 0;  //!< IPv4
   std::uint16_t port = 0;     //!< UDP or TCP
 
-  /// @param name what an error calls the address
+  /// @param name of the address in errors
   /// @param address such as 127.0.0.1
   /// @throw InvalidParameter if it is not an IPv4 address
   static Endpoint parse(const std::string& name, const std::string& address, std::uint16_t port);
 
-  /// As the kernel's calls take it, and give it.
+  /// In the form of the kernel's calls.
   sockaddr_in to_kernel() const;
-  static Endpoint from_kernel(const sockaddr_in& address);  //!< as the kernel's calls give it
+  static Endpoint from_kernel(const sockaddr_in& address);  //!< from the form of the kernel's calls
 
   /// Such as 127.0.0.1:5410.
   std::string text() const;

@@ -12,7 +12,7 @@
 
 namespace scan_cell_common {
 
-/// A local address or port cannot be had: it is taken, or not of this machine.
+/// A local address or port is not available: it is taken or not of this machine.
 class CannotBind : public ConnectionError {
  public:
   using ConnectionError::ConnectionError;
@@ -23,25 +23,25 @@ class CannotBind : public ConnectionError {
 class UdpSocket {
  public:
   /// @param local port 0: any free one, see local()
-  /// @param owner, cure what an error calls the socket's owner, and what it advises
+  /// @param owner, cure the socket's owner and the cure in errors
   /// @param shared others may bind the same address and port
   /// @throw CannotBind
   /// @throw ConnectionError if there are no sockets left
   UdpSocket(const Endpoint& local, const std::string& owner, const std::string& cure,
             bool shared = false);
 
-  Endpoint local() const;                          //!< it is bound to
+  Endpoint local() const;                          //!< to which it is bound
   int number() const { return socket_.number(); }  //!< of the descriptor, for poll()
 
   /// @return whether a datagram waits, within `timeout` [s]
   bool wait(double timeout) const;
 
-  /// @return none where no datagram waits
+  /// @return none if no datagram waits
   std::optional<StampedDatagram> receive(void* data, std::size_t size) const {
     return receive_stamped(number(), data, size);
   }
 
-  /// False where the network does not take it now.
+  /// Returns false if the network does not accept it now.
   bool send(const void* data, std::size_t size, const Endpoint& to) const;
 
  private:

@@ -9,13 +9,13 @@
 
 namespace scan_cell_common {
 
-/// Does the same with each parameter of a table.
+/// Applies one action to each parameter of a table.
 class EachParameter final : public ParameterTable {
  public:
-  /// May put another value in place of the one that is there.
+  /// May replace the value.
   using Act = std::function<void(const Parameter& parameter, ParameterValue& value)>;
 
-  /// @param act is done when the table is described
+  /// @param act called while the table is described
   explicit EachParameter(Act act) : act_(std::move(act)) {}
 
  private:

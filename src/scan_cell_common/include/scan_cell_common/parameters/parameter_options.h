@@ -16,8 +16,8 @@ class App;
 
 namespace scan_cell_common {
 
-/// Options of a tool, made from a table of parameters: `--min-scale` for min_scale, with its
-/// meaning, unit, range and default in --help.
+/// Options of a tool from a table of parameters: `--min-scale` for min_scale, with its meaning,
+/// unit, range and default in --help.
 ///
 ///     ParameterOptions options;
 ///     options.add(app, parameters);   // before the command line is parsed
@@ -31,7 +31,7 @@ class ParameterOptions {
     describe(table, defaults);
   }
 
-  /// Puts what was given in place of the defaults.
+  /// Replaces the defaults by the values given.
   /// @throw InvalidParameter naming the option
   template <class Parameters>
   void read(Parameters& parameters) const {
@@ -72,7 +72,7 @@ class ParameterOptions {
   Given given_;
 };
 
-/// Refuses an option's old name, and says the new one. --help does not list it.
+/// Refuses an option's old name and gives the new one. --help does not list it.
 /// @param names old and new, such as {"--most-skew", "--max-skew"}
 void refuse_renamed(CLI::App& app, const std::vector<std::pair<std::string, std::string>>& names);
 

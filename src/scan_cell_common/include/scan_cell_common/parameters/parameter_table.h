@@ -11,18 +11,18 @@
 
 namespace scan_cell_common {
 
-/// What a number may be beside its range.
-enum class Also { kNothing, kZero, kNone };  //!< kNone: infinite, which stands for no limit
+/// What a number may be outside its range.
+enum class Also { kNothing, kZero, kNone };  //!< kNone: infinite, which means no limit
 
 /// One row of a table of parameters.
 struct Parameter {
-  std::string name;                     //!< with the groups it is in: lookup/port
+  std::string name;                     //!< with its groups: lookup/port
   std::string unit;                     //!< such as m; empty: none
   std::string meaning;                  //!< one plain line
   double min = 0;                       //!< of a number
   double max = 0;                       //!< of a number
-  Also also = Also::kNothing;           //!< allowed besides
-  std::size_t count = 0;                //!< numbers of a list; 0: any
+  Also also = Also::kNothing;           //!< also allowed
+  std::size_t count = 0;                //!< length of a list; 0: any
   std::vector<std::string> words = {};  //!< of a choice
   bool required = false;                //!< has no default
 };
@@ -30,26 +30,26 @@ struct Parameter {
 /// The value of any kind of parameter.
 using ParameterValue = std::variant<bool, std::int64_t, double, std::string, std::vector<double>>;
 
-/// The parameters of a node or a tool, told once. Each parameter struct has a free function
+/// The parameters of a node or a tool, described once. Each parameter struct has a free function
 /// describe(ParameterTable&, Parameters&) beside it, which adds every member with its range, unit
-/// and meaning; the defaults stand in the struct. What is done with them is up to the table: check
-/// them (check()), read them from ROS (RosParameters), make options of them (ParameterOptions),
-/// or write the rows of a document (parameter_rows()).
+/// and meaning; the defaults are in the struct. The kind of table decides what happens: check them
+/// (check()), read them from ROS (RosParameters), make options of them (ParameterOptions), or write
+/// the rows of a document (parameter_rows()).
 ///
 ///     void describe(ParameterTable& table, PeakLimits& limits) {
 ///       table.add("min_width", limits.min_width, {0, 1e4, "px"}, "narrower peaks are rejected");
 ///       table.renamed("least_width", "min_width");
 ///     }
 ///
-/// All functions throw InvalidParameter, naming the parameter, where a value is not allowed.
+/// All functions throw InvalidParameter, naming the parameter, if a value is not allowed.
 class ParameterTable {
  public:
-  /// Of a number.
+  /// Range of a number.
   struct Range {
     double min;                  //!< least allowed
     double max;                  //!< greatest allowed
     const char* unit = "";       //!< such as m
-    Also also = Also::kNothing;  //!< allowed besides
+    Also also = Also::kNothing;  //!< also allowed
   };
 
   ParameterTable() = default;
@@ -83,14 +83,14 @@ class ParameterTable {
     value = Eigen::Map<const Eigen::Matrix<double, N, 1>>(numbers.data());
   }
 
-  /// A text without which nothing can be done.
+  /// A required text.
   void require(const std::string& name, std::string& value, const std::string& meaning);
 
   /// One of a few words.
   void choice(const std::string& name, std::string& value, const std::vector<std::string>& words,
               const std::string& meaning);
 
-  /// @param words of the enum's values, in their order
+  /// @param words for the enum's values, in their order
   template <class Enum, std::enable_if_t<std::is_enum_v<Enum>, int> = 0>
   void choice(const std::string& name, Enum& value, const std::vector<std::string>& words,
               const std::string& meaning) {
@@ -106,22 +106,22 @@ class ParameterTable {
     prefix_ = outside;
   }
 
-  /// Refuses the name that a parameter had before, and says the new one.
+  /// Refuses the former name of a parameter and gives the new one.
   void renamed(const std::string& old, const std::string& now);
 
   /// The parameter as errors name it.
   std::string full_name(const std::string& name) const { return named(prefix_ + name); }
 
-  /// For what no range tells, such as a least that is above its most.
+  /// For what no range expresses, such as a minimum above its maximum.
   [[noreturn]] void refuse(const std::string& name, const std::string& value,
                            const std::string& cure) const;
 
  protected:
-  /// Puts what is given for the parameter in place of `value`, its default.
-  /// @param value keeps its type
+  /// Replaces `value`, the default, by what is given for the parameter.
+  /// @param value must keep its type
   virtual void visit(const Parameter& parameter, ParameterValue& value) = 0;
 
-  /// Whether something is given under the old name of a parameter.
+  /// Whether a value is given under the old name of a parameter.
   virtual bool is_given(const std::string& old, const std::string& now) = 0;
 
   /// A parameter as errors name it.
@@ -143,17 +143,17 @@ class ParameterTable {
 template <class Parameters>
 void check(Parameters parameters);
 
-/// The table of a document, in Markdown: a head, and a row for each parameter.
+/// The table for a document, in Markdown: a head and a row for each parameter.
 template <class Parameters>
 std::string parameter_rows(Parameters parameters = {});
 
-/// Behind check(): changes nothing.
+/// Implementation of check(): changes nothing.
 class RangeCheck final : public ParameterTable {
   void visit(const Parameter&, ParameterValue&) override {}
   bool is_given(const std::string&, const std::string&) override { return false; }
 };
 
-/// Behind parameter_rows().
+/// Implementation of parameter_rows().
 class ParameterRows final : public ParameterTable {
  public:
   const std::string& text() const { return text_; }  //!< the rows in Markdown
@@ -181,7 +181,7 @@ std::string parameter_rows(Parameters parameters) {
 /// What a parameter may be, such as "0, 1e-06 .. 10" or "affine, general"; empty: anything.
 std::string range_text(const Parameter& parameter, const ParameterValue& value);
 
-/// A default, as a document tells it.
+/// A default in the form for a document.
 std::string default_text(const Parameter& parameter, const ParameterValue& value);
 
 }  // namespace scan_cell_common

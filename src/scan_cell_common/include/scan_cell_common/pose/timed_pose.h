@@ -21,7 +21,7 @@ constexpr Nanoseconds from_seconds(double seconds) {
   return static_cast<Nanoseconds>(seconds * 1e9 + (seconds < 0 ? -0.5 : 0.5));
 }
 
-/// A pose that was measured, and when.
+/// A measured pose and its time.
 struct TimedPose {
   Nanoseconds time = 0;                                    //!< of the measurement
   Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();  //!< [m]
@@ -34,8 +34,8 @@ struct TimedPose {
 Eigen::Isometry3d interpolate(const Eigen::Isometry3d& from, const Eigen::Isometry3d& to,
                               double fraction);
 
-/// Pose at `time`, which must lie between the two (ends included).
-/// @throw Refused if it does not: poses are never extrapolated.
+/// Pose at `time`, which must be between the two (ends included).
+/// @throw Refused if it is not: poses are never extrapolated.
 Eigen::Isometry3d interpolate(const TimedPose& before, const TimedPose& after, Nanoseconds time);
 
 }  // namespace scan_cell_common

@@ -13,11 +13,11 @@ constexpr double kMillimetres = 1e3;     //!< in a metre
 constexpr double kDegree = M_PI / 180;   //!< [rad]
 constexpr double kDegrees = 180 / M_PI;  //!< in a radian
 
-/// The units of length a file may be in: m, mm, inch. Inside the suite it is metres.
+/// The units of length that a file may use: m, mm, inch. The suite itself uses metres.
 const std::vector<std::string>& length_units();
 
 /// Metres in one of them: 1, 0.001, 0.0254.
-/// @throw InvalidParameter if it is none of length_units()
+/// @throw InvalidParameter if it is not one of length_units()
 double metres_per(const std::string& unit);
 
 }  // namespace scan_cell_common

@@ -12,8 +12,7 @@ namespace scan_cell_common {
 /// A pose as Comau's controllers and teach pendants write it: x, y, z [mm], A, E, R [deg].
 using WireSix = std::array<double, 6>;
 
-/// Comau's Euler angles, Z-Y-Z: rotation = Rz(A) Ry(E) Rz(R), 0 <= E <= pi; A = 0 where E is 0 or
-/// pi.
+/// Comau's Euler angles, Z-Y-Z: rotation = Rz(A) Ry(E) Rz(R), 0 <= E <= pi; A = 0 if E is 0 or pi.
 const EulerSequence& comau_angles();
 
 /// @param pose [m]

@@ -9,8 +9,9 @@
 
 namespace scan_cell_common {
 
-/// Does what opens, reads or writes a bag. rosbag, and what takes messages out of their bytes, name
-/// neither the file nor a cure ("Buffer Overrun"); the suite's own errors pass as they are.
+/// Runs work that opens, reads or writes a bag, and turns its errors into FileError. Errors of
+/// rosbag and of message deserialisation name neither the file nor a cure ("Buffer Overrun"). The
+/// suite's own errors pass unchanged.
 /// @throw FileError
 template <class Work>
 void name_bag_in_errors(const std::string& path, const Work& work) {

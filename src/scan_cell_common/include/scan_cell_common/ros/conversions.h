@@ -26,8 +26,8 @@ inline Eigen::Quaterniond from_ros(const geometry_msgs::Quaternion& rotation) {
   return result;
 }
 
-/// The quaternion is normalised, which tf2's own conversion of poses does not do: messages carry
-/// rounded ones.
+/// Normalises the quaternion, since messages carry rounded ones; tf2's own conversion of poses does
+/// not.
 template <class Position>
 Eigen::Isometry3d from_ros(const Position& position, const geometry_msgs::Quaternion& rotation) {
   Eigen::Vector3d translation;
@@ -46,7 +46,7 @@ inline Eigen::Isometry3d from_ros(const geometry_msgs::Transform& transform) {
   return from_ros(transform.translation, transform.rotation);
 }
 
-/// A pose that another node sent.
+/// Converts a pose sent by another node.
 /// @throw Kind of error about `thing` if its quaternion is not of unit length
 template <class Kind = UnusableInput>
 Eigen::Isometry3d checked_from_ros(const geometry_msgs::Pose& pose, const std::string& thing,
@@ -56,8 +56,7 @@ Eigen::Isometry3d checked_from_ros(const geometry_msgs::Pose& pose, const std::s
   return from_ros(pose);
 }
 
-/// The quaternion has the sign that Eigen gives it, where tf2's own conversion of poses makes w >=
-/// 0.
+/// The quaternion keeps the sign from Eigen, whereas tf2's own conversion of poses makes w >= 0.
 inline geometry_msgs::Pose to_ros_pose(const Eigen::Isometry3d& pose) {
   geometry_msgs::Pose result;
   result.position = tf2::toMsg(Eigen::Vector3d(pose.translation()));

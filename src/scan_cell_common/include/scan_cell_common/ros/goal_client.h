@@ -17,12 +17,10 @@
 
 namespace scan_cell_common {
 
-/// A client of an action that has one goal at a time, for any number of threads, of which one at a
-/// time sends.
-/// actionlib's SimpleActionClient does not bear an answer that another thread receives before its
-/// sendGoal() has put down which goal it is: that corrupts memory. Here each piece of news carries
-/// its own goal.
-/// The node's callbacks must be served by another thread than the one that waits
+/// A client of an action that has one goal at a time. Any number of threads may use it, but only
+/// one at a time may send. actionlib's SimpleActionClient corrupts memory if another thread
+/// receives an answer before its sendGoal() has stored the goal. Here each transition carries its
+/// own goal. The node's callbacks must be served by a thread other than the one that waits
 /// (ros::AsyncSpinner).
 template <class Action>
 class GoalClient {
@@ -32,7 +30,7 @@ class GoalClient {
   /// How a goal ended.
   struct End {
     actionlib::TerminalState state;  //!< with the server's text
-    ResultConstPtr result;           //!< null where the server has lost the goal
+    ResultConstPtr result;           //!< null if the server has lost the goal
   };
 
   using OnEnd = std::function<void(const End& end)>;
@@ -40,7 +38,7 @@ class GoalClient {
 
   GoalClient(const ros::NodeHandle& node, const std::string& name)
       : name_(name), client_(node, name) {}
-  ~GoalClient() { take_handle(nullptr, begin()); }  // while client_ is there
+  ~GoalClient() { take_handle(nullptr, begin()); }  // while client_ exists
 
   GoalClient(const GoalClient&) = delete;
   GoalClient& operator=(const GoalClient&) = delete;
@@ -52,8 +50,8 @@ class GoalClient {
     return wait_until([this] { return is_connected(); }, timeout);
   }
 
-  /// The goal before is no longer followed: nothing is told of it from here on, and it goes on.
-  /// Both functions are called by the thread that serves the node's callbacks.
+  /// Sends a goal. The goal before it is no longer followed: it goes on, but nothing more is
+  /// reported about it. Both functions are called by the thread that serves the node's callbacks.
   void send(const Goal& goal, const OnEnd& on_end = {}, const OnFeedback& on_feedback = {}) {
     const std::uint64_t number = begin();
     auto handle = std::make_shared<Handle>(client_.sendGoal(
@@ -64,34 +62,34 @@ class GoalClient {
     take_handle(handle, number);
   }
 
-  /// The goal that was sent last; does nothing where there is none under way.
+  /// Cancels the goal sent last; does nothing if none is in progress.
   void cancel() {
     if (const auto handle = this->handle(); handle && !end()) handle->cancel();
   }
   void cancel_all() { client_.cancelAllGoals(); }  //!< of all clients
-  /// Those of all clients that were sent until then.
+  /// Cancels the goals of all clients sent up to that time.
   void cancel_until(const ros::Time& time) { client_.cancelGoalsAtAndBeforeTime(time); }
 
-  /// Whether the server has begun with the goal, or refused it.
+  /// Whether the server has begun the goal or refused it.
   bool is_taken() const {
     const std::lock_guard<std::mutex> lock(mutex_);
     return taken_;
   }
 
-  /// @return none while it is under way
+  /// @return none while the goal is in progress
   std::optional<End> end() const {
     const std::lock_guard<std::mutex> lock(mutex_);
     return end_;
   }
 
-  /// @return none if it is still under way after `timeout` [s]
+  /// @return none if the goal is still in progress after `timeout` [s]
   std::optional<End> wait_for_end(double timeout) const {
     wait_until([this] { return end().has_value(); }, timeout);
     return end();
   }
 
-  /// A server that ends as the goal comes loses it, and the one that is started in its place never
-  /// says a word of it: such a goal is cancelled, in case it is still there.
+  /// A server that ends as the goal arrives loses it, and its replacement never reports on it. Such
+  /// a goal is cancelled, in case it still exists.
   /// @throw ConnectionError if the server does not take the goal within `timeout` [s]
   void wait_until_taken(double timeout) {
     if (!wait_until([this] { return is_taken(); }, timeout)) give_up(timeout);
@@ -109,7 +107,7 @@ class GoalClient {
 
   template <class Condition>
   static bool wait_until(const Condition& condition, double timeout) {
-    constexpr double kLook = 0.01;  // [s] between two looks; chosen
+    constexpr double kLook = 0.01;  // [s] between two checks; chosen
     const ros::WallTime deadline = ros::WallTime::now() + ros::WallDuration(timeout);
     while (!condition()) {
       if (ros::WallTime::now() > deadline || !ros::ok()) return condition();
@@ -135,8 +133,8 @@ class GoalClient {
     return handle_;
   }
 
-  /// actionlib calls with its own mutex locked, and locks that where a handle goes: handles go
-  /// while ours is free.
+  /// actionlib calls back with its own mutex locked, and locks it to destroy a handle. So handles
+  /// are destroyed while our mutex is free.
   void take_handle(std::shared_ptr<Handle> handle, std::uint64_t number) {
     const std::lock_guard<std::mutex> lock(mutex_);
     if (number == number_) handle_.swap(handle);
@@ -160,11 +158,11 @@ class GoalClient {
 
   const std::string name_;
   mutable std::mutex mutex_;
-  std::uint64_t number_ = 0;        // of the goal that is followed; 0: none yet
+  std::uint64_t number_ = 0;        // of the goal being followed; 0: none yet
   std::shared_ptr<Handle> handle_;  // null: none
   bool taken_ = false;
   std::optional<End> end_;
-  mutable actionlib::ActionClient<Action> client_;  // last: its callbacks use all the rest
+  mutable actionlib::ActionClient<Action> client_;  // last: its callbacks use the others
 };
 
 }  // namespace scan_cell_common

@@ -6,7 +6,7 @@
 
 namespace scan_cell_common {
 
-/// Whether an action's server still has to do with it.
+/// Whether an action's server is still dealing with the goal.
 inline bool is_under_way(const actionlib_msgs::GoalStatus& goal) {
   using Status = actionlib_msgs::GoalStatus;
   return goal.status == Status::PENDING || goal.status == Status::ACTIVE ||

@@ -12,16 +12,16 @@
 
 namespace scan_cell_common {
 
-/// The nodes that are connected to a topic of ours. The kernel closes the connections of a node
-/// that ends, however it does: milliseconds later it is no listener any more.
+/// The nodes connected to one of our topics. The kernel closes the connections of a node that ends,
+/// however it ends: milliseconds later it is no longer a listener.
 class Listeners {
  public:
-  /// Told of a node whose last connection ended, after contains() knows.
+  /// Called for a node whose last connection has ended, when contains() already says so.
   using OnGone = std::function<void(const std::string& node)>;
 
   explicit Listeners(OnGone on_gone = nullptr);
 
-  /// As ros::NodeHandle's own. What it gives must not outlive these.
+  /// As ros::NodeHandle::advertise(). The publisher must not outlive this object.
   template <class Message>
   ros::Publisher advertise(ros::NodeHandle& node, const std::string& topic, std::uint32_t queue,
                            bool latch = false) {
@@ -40,7 +40,7 @@ class Listeners {
 
   const OnGone on_gone_;
   mutable std::mutex mutex_;
-  // connections; below zero where an end is told of first: callbacks may overtake one another
+  // connections; below zero if an end is reported first: callbacks may overtake one another
   std::map<std::string, int> nodes_;
 };
 

@@ -11,14 +11,14 @@
 
 namespace scan_cell_common {
 
-/// Reads a node's private parameters, and refuses by name what is of another type, out of range,
-/// missing or unknown.
+/// Reads a node's private parameters, and refuses by name any that is of another type, out of
+/// range, missing or unknown.
 class RosParameters final : public ParameterTable {
  public:
   explicit RosParameters(const ros::NodeHandle& node);
 
-  /// @throw InvalidParameter if a private parameter is set that was never read: a misspelt name
-  /// would otherwise be taken for the default in silence. A read of "a" covers "a/b" too.
+  /// @throw InvalidParameter if a private parameter is set that was never read: otherwise a
+  /// misspelt name would silently leave the default. A read of "a" also covers "a/b".
   void refuse_unknown() const;
 
  private:
@@ -30,8 +30,8 @@ class RosParameters final : public ParameterTable {
   std::set<std::string> names_;
 };
 
-/// All parameters of a node; defaults stand in the struct.
-/// @throw InvalidParameter naming the bad, missing or unknown one
+/// All parameters of a node; defaults are in the struct.
+/// @throw InvalidParameter naming the bad, missing or unknown parameter
 template <class Parameters>
 Parameters load_parameters(const ros::NodeHandle& private_node) {
   RosParameters reader(private_node);

@@ -12,11 +12,11 @@ namespace scan_cell_common {
 
 /// The main() of a node: answers --help and --version without ROS, initialises ROS, runs `body`
 /// (which makes the node and spins), and turns an error into one fatal line and exit code 1. Any
-/// other word on its command line that is not one of ROS (NAME:=VALUE) is refused. SIGTERM and
-/// SIGHUP end the node as Ctrl-C does: ROS shuts down, `body` returns, what it made is destroyed.
+/// other word on its command line that is not for ROS (NAME:=VALUE) is refused. SIGTERM and SIGHUP
+/// end the node as Ctrl-C does: ROS shuts down, `body` returns, and its objects are destroyed.
 /// @param description one sentence for --help
-/// @param before_threads what must be done while the process has one thread, such as a fork
-/// @param parameters what --parameters prints; empty: there is no such option
+/// @param before_threads runs while the process has only one thread, for example to fork
+/// @param parameters text that --parameters prints; empty: no such option
 int node_main(int argc, char** argv, const std::string& name, const std::string& description,
               const std::function<void()>& body, const std::function<void()>& before_threads = {},
               const std::string& parameters = "");
@@ -29,9 +29,9 @@ int node_main(int argc, char** argv, const std::string& name, const std::string&
                    parameter_rows<Parameters>());
 }
 
-/// tool_main() of a tool that is a client of a running cell: takes ROS' own words (NAME:=VALUE) off
-/// the command line, and runs `body` under an anonymous node name with two threads for callbacks.
-/// Where no ROS master answers within 10 s it ends and says so.
+/// tool_main() for a tool that is a client of a running cell: removes the words for ROS
+/// (NAME:=VALUE) from the command line, and runs `body` under an anonymous node name with two
+/// threads for callbacks. If no ROS master answers within 10 s, it ends and says so.
 int ros_tool_main(const std::string& name, CLI::App& options, int argc, char** argv,
                   const std::function<int()>& body, int refused = kUnusable,
                   const Outputs& outputs = {});

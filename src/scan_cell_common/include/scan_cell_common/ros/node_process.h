@@ -10,16 +10,16 @@
 
 namespace scan_cell_common {
 
-/// Process of a ROS node on this machine, as the node reports it; none if it does not answer. For
-/// tests and trials that kill nodes.
+/// Process id of a ROS node on this machine, as the node reports it; none if it does not answer.
+/// For tests and trials that kill nodes.
 std::optional<pid_t> process_of(const std::string& node);
 
-/// Whether there is a process that publishes a topic. A subscriber does not notice that a publisher
-/// was killed: roscpp keeps it, and tries to reach it again and again.
+/// Whether some process publishes a topic. A subscriber does not notice that a publisher was
+/// killed: roscpp keeps it and tries again and again to reach it.
 /// @return none if the ROS master does not answer
 std::optional<bool> is_published(const std::string& topic);
 
-/// Whether somebody takes TCP connections there, within a second.
+/// Whether a server accepts TCP connections there, within a second.
 bool listens(const std::string& host, std::uint32_t port);
 
 }  // namespace scan_cell_common

@@ -10,11 +10,11 @@
 
 namespace scan_cell_common {
 
-/// A nodelet of the suite. Where start() throws, one fatal line says why, the manager drops the
+/// A nodelet of the suite. If start() throws, one fatal line says why, the manager drops the
 /// nodelet, and the process that loads it ends.
 class Nodelet : public nodelet::Nodelet {
  protected:
-  /// Takes the place of onInit().
+  /// Replaces onInit().
   virtual void start() = 0;
 
  private:

@@ -6,9 +6,9 @@
 
 namespace scan_cell_common {
 
-/// Does what a service was asked for, and fills in the answer's `success` and, of an Error, its
+/// Runs the work of a service call, and fills in the answer's `success` and, on an Error, its
 /// `message`. Other exceptions pass.
-/// @return true, for ROS: there is an answer
+/// @return true, so that ROS sends the answer
 template <class Response, class Body>
 bool answer(Response& response, const Body& body) {
   try {

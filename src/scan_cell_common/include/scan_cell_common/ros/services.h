@@ -12,14 +12,14 @@
 #include "scan_cell_common/ros/node_main.h"
 #include "scan_cell_common/ros/nodelet.h"
 
-/// A node's topics and services, as a class with a constructor (node, private node, parameters),
-/// where they run: in a process of their own, or in a nodelet manager's.
+/// Runs a node's topics and services, a class with a constructor (node, private node, parameters),
+/// in a process of their own or in a nodelet manager.
 namespace scan_cell_common {
 
-/// Of the calls: diagnostics, and a second call while one waits.
+/// Threads for calls: diagnostics, and a second call while one waits.
 constexpr int kServiceThreads = 3;
 
-/// The main() of a node; as node_main().
+/// The main() of a node, as node_main().
 template <class Services, class Parameters>
 int services_main(int argc, char** argv, const std::string& name, const std::string& description) {
   return node_main<Parameters>(argc, argv, name, description, [] {
@@ -32,8 +32,8 @@ int services_main(int argc, char** argv, const std::string& name, const std::str
   });
 }
 
-/// The same in a manager's process. Its calls have threads of their own: one that waits never holds
-/// up the manager's others, however few workers it has.
+/// The same in a nodelet manager. Its calls have their own threads, so that a waiting call never
+/// blocks the manager's other nodelets, however few workers it has.
 template <class Services, class Parameters>
 class ServicesNodelet : public Nodelet {
   void start() override {
@@ -48,7 +48,7 @@ class ServicesNodelet : public Nodelet {
 
   ros::CallbackQueue queue_;
   std::unique_ptr<Services> services_;
-  ros::AsyncSpinner spinner_{kServiceThreads, &queue_};  // last: its threads use the above
+  ros::AsyncSpinner spinner_{kServiceThreads, &queue_};  // last, since its threads use the above
 };
 
 }  // namespace scan_cell_common

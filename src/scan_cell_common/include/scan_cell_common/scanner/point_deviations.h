@@ -9,21 +9,21 @@
 
 namespace scan_cell_common {
 
-constexpr double kMaxPointDeviation = 0.1;  //!< [m] that a file may say; chosen: nobody scans so
+constexpr double kMaxPointDeviation = 0.1;  //!< [m] largest in a file; chosen: unusably large
 
-/// How well the calibration knows a scanned point: [m] root of the summed variances along x, y and
-/// z in tool0, by laser; 0 of a laser that is not known, empty where the file does not say (entry
-/// `uncertainty`).
+/// How accurately the calibration knows a scanned point: root of the summed variances along x, y
+/// and z in tool0 [m], by laser; 0 for a laser that is not known, empty if the file does not say
+/// (entry `uncertainty`).
 /// @throw FileError, UnusableInput as load_scanner_model()
 std::vector<double> load_point_deviations(const std::string& path);
 
 /// The same from the text of a file.
-/// @param name in errors
+/// @param name of the text, for errors
 std::vector<double> parse_point_deviations(const std::string& text, const std::string& name);
 
-/// save_scanner_model() with them.
-/// @param existing text of the file that parts were taken from; empty: none
-/// @throw UnusableInput naming a deviation that no reader would take; nothing is written
+/// save_scanner_model() with point deviations.
+/// @param existing text of the file from which parts were taken; empty: none
+/// @throw UnusableInput naming a deviation that a reader would refuse; nothing is written
 void save_scanner_model(const std::string& path, const ScannerModel& model,
                         const std::string& existing, const std::vector<double>& deviations);
 

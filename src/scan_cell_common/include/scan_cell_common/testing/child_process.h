@@ -12,8 +12,8 @@ namespace scan_cell_common {
 /// A program that ends with this object, or with the process that started it.
 class ChildProcess {
  public:
-  /// @param command program (looked for on PATH) and its arguments
-  /// @param quiet what it writes is thrown away
+  /// @param command program (searched on PATH) and its arguments
+  /// @param quiet discards its output
   /// @throw Refused if it cannot be started
   explicit ChildProcess(const std::vector<std::string>& command, bool quiet = false);
   ~ChildProcess();
@@ -27,7 +27,7 @@ class ChildProcess {
   pid_t id_ = -1;
 };
 
-/// What a process has taken so far.
+/// Resources used by a process so far.
 struct Usage {
   double cpu = 0;     //!< [s]
   double memory = 0;  //!< [MB] resident
@@ -37,7 +37,7 @@ struct Usage {
 Usage usage_of(pid_t process);
 double cpu_of_this_thread();  ///< [s]
 
-/// A TCP port of 127.0.0.1 that nobody has, for a ROS master of one's own.
+/// A free TCP port of 127.0.0.1, for a private ROS master.
 /// @throw Refused if there is none
 int free_port();
 

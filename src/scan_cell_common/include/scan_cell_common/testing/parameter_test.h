@@ -13,7 +13,7 @@
 #include "scan_cell_common/files/files.h"
 #include "scan_cell_common/parameters/parameter_table.h"
 
-/// What the tests of every package expect of its parameters.
+/// Expectations of every package's tests about its parameters.
 namespace scan_cell_common {
 
 /// A table in which one parameter is given by its old name.
@@ -54,7 +54,7 @@ void expect_renamed(const std::vector<std::pair<std::string, std::string>>& name
   }
 }
 
-/// Expects each row of the parameters' table in a document, in their order.
+/// Expects each row of the parameters' table in a document, in order.
 template <class Parameters>
 void expect_documented(const std::string& document, const std::string& how_to_list_them) {
   const std::string text = read_file(document);

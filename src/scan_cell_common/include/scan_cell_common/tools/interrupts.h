@@ -13,8 +13,8 @@ namespace scan_cell_common {
 /// closed) unless it is ignored, as under nohup.
 std::vector<int> ending_signals();
 
-/// While it lives, these signals no longer end the process but are remembered, so that a program
-/// can make safe what it has under way. One at a time.
+/// While it lives, these signals do not end the process but are recorded, so that a program can
+/// make its work safe. One at a time.
 class CatchInterrupts {
  public:
   CatchInterrupts();
@@ -22,7 +22,7 @@ class CatchInterrupts {
   CatchInterrupts(const CatchInterrupts&) = delete;
   CatchInterrupts& operator=(const CatchInterrupts&) = delete;
 
-  /// Whether one came since the latest of them was made.
+  /// Whether a signal has arrived since the latest of these objects was created.
   static bool interrupted();
 
  private:

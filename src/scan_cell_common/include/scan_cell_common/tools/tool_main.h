@@ -9,14 +9,14 @@
 
 namespace scan_cell_common {
 
-constexpr int kUnusable = 1;  //!< exit code of a tool: input or machine are of no use
+constexpr int kUnusable = 1;  //!< exit code of a tool: unusable input or machine
 constexpr int kRefused = 2;   //!< exit code of a tool whose answer is no
 
 /// The main() of a command-line tool: parses its options, answers --help and --version, removes
-/// what an earlier run left in its outputs, runs `body`, and turns whatever that throws into one
-/// line on the standard error output, `name: reason`. An unknown option is told with the nearest
-/// one that there is; the outputs are removed then, too.
-/// @param refused exit code for Refused, of tools that tell a no from a failure
+/// what an earlier run left in its outputs, runs `body`, and turns whatever it throws into one line
+/// on standard error, `name: reason`. For an unknown option it suggests the nearest existing one;
+/// the outputs are removed then, too.
+/// @param refused exit code for Refused, for tools that distinguish a refusal from a failure
 /// @param outputs of this tool
 /// @return exit code: 0 for --help and --version, what `body` returns, or kUnusable, also for bad
 /// options

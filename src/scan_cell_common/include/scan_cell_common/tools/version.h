@@ -4,7 +4,7 @@
 
 namespace scan_cell_common {
 
-/// The suite's version, that of package.xml: "0.1.0".
+/// The suite's version, from package.xml: "0.1.0".
 const char* suite_version();
 
 }  // namespace scan_cell_common

@@ -15,7 +15,7 @@ namespace scan_cell_common {
 namespace {
 
 constexpr Nanoseconds kCellsInWindow = 4;
-constexpr double kStep = 1e6;  // [ns] a clock that is further off than this was set
+constexpr double kStep = 1e6;  // [ns] a clock that is off by more than this was set
 
 Nanoseconds floor_of(Nanoseconds time, Nanoseconds width) {
   return time / width - (time % width < 0 ? 1 : 0);
@@ -60,7 +60,7 @@ void ClockMap::add(Nanoseconds device, Nanoseconds host) {
   height_ = least_since(recent);
 }
 
-/// @return true if the cells are others than before
+/// @return true if the cells have changed
 bool ClockMap::keep(const Cell& pair) {
   const std::size_t before = count_;
   const auto forgotten = static_cast<Nanoseconds>(kCells);
@@ -84,11 +84,11 @@ void ClockMap::drop_before(double device) {
   }
 }
 
-/// The slope of the hull counts for as much as it is known better than that clocks are true.
+/// Weights the slope of the hull by its certainty against the prior that clocks have no drift.
 void ClockMap::fit() {
-  constexpr double kPrior = 100e-6;  // what clocks are off by
-  constexpr double kEdge = 3;        // the two pairs of the hull's edge, at less than the history
-  constexpr double kMost = 1e-3;     // no clock is off by so much
+  constexpr double kPrior = 100e-6;  // usual drift of clocks
+  constexpr double kEdge = 3;        // two pairs of the hull's edge, less than the history apart
+  constexpr double kMost = 1e-3;     // no clock drifts more
   constexpr std::size_t kLeast = 6;  // cells: the hull's edge takes two, the rest show the jitter
   slope_ = 0;
   if (count_ >= kLeast) {
@@ -100,8 +100,8 @@ void ClockMap::fit() {
   support_ = least_since(std::numeric_limits<double>::lowest());
 }
 
-/// Of the lower hull's edge over the middle of the history: of all lines below the pairs, its
-/// distances to them have the least sum.
+/// The slope of the lower hull's edge over the middle of the history: of all lines below the pairs,
+/// this one has the least sum of distances to them.
 double ClockMap::hull_slope() const {
   std::array<std::size_t, kCells> hull{};
   std::size_t corners = 0;

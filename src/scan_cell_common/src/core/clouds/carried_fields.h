@@ -10,24 +10,24 @@
 
 namespace scan_cell_common {
 
-/// parse_ply() with all that the points carry. @param carried null: not wanted
+/// parse_ply() with all fields of the points. @param carried null: not wanted
 Cloud parse_ply(std::string_view bytes, const std::string& source, FieldedCloud* carried);
 Cloud parse_pcd(std::string_view bytes, const std::string& source, FieldedCloud* carried);
 
-/// Whether a coordinate is the number that drop_invalid() looks for; of 0, z alone.
+/// Whether a coordinate is the number that drop_invalid() looks for; for 0, only z counts.
 bool holds_invalid(const pcl::PointXYZ& point, double invalid);
 
-/// Adds a field behind the others. False where there is one of that name.
+/// Adds a field after the others. Returns false if there is already one of that name.
 bool add_field(FieldedCloud& cloud, const std::string& name, Scalar type);
 
 /// Adds x, y and z, before all others.
 void add_coordinates(FieldedCloud& cloud);
 
-/// Appends a number as it lies in memory.
+/// Appends a number from its bytes.
 /// @param bytes of the number, in the file's order
 void append_scalar(const char* bytes, Scalar type, bool big_endian, FieldedCloud& cloud);
 
-/// Appends the number of that type that is nearest to a value; 0 in place of NaN where it is whole.
+/// Appends the number of that type that is nearest to a value; 0 for NaN in a whole number.
 void append_scalar(double value, Scalar type, FieldedCloud& cloud);
 
 /// Appends x, y and z.

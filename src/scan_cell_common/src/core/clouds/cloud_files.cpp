@@ -17,9 +17,9 @@
 #include "scan_cell_common/errors/errors.h"
 #include "scan_cell_common/files/files.h"
 
-// PCL's readers are not used: they trust what a file says of itself. Of 1500 small
-// changes to a valid file each, PCL 1.13 crashed on 5 to 172 (PCD, OBJ, binary PLY), did not return
-// on some (PLY, PCD), and asked for as many bytes as the header claims on the others.
+// PCL's readers are not used: they trust what a file says about itself. Of 1500 small changes to a
+// valid file of each kind, PCL 1.13 crashed on 5 to 172 (PCD, OBJ, binary PLY), did not return on
+// some (PLY, PCD), and asked for as many bytes as the header claims on the others.
 
 namespace scan_cell_common {
 namespace {
@@ -69,7 +69,7 @@ void scale(FieldedCloud& carried, double factor) {
   }
 }
 
-/// What those points carry that drop_invalid() is about to drop.
+/// Drops the fields of the points that drop_invalid() is about to drop.
 void drop_carried(const Cloud& cloud, double invalid, FieldedCloud& carried) {
   std::size_t kept = 0;
   for (std::size_t i = 0; i < carried.size(); ++i) {
@@ -80,7 +80,7 @@ void drop_carried(const Cloud& cloud, double invalid, FieldedCloud& carried) {
   carried.bytes.resize(kept * carried.step);
 }
 
-/// Drops what stands for no measurement, and makes metres of the rest.
+/// Drops points without a measurement, and converts the rest to metres.
 void finish(const std::string& path, const CloudFormat& format, FieldedCloud* carried,
             LoadedCloud& loaded) {
   Cloud& cloud = loaded.cloud;

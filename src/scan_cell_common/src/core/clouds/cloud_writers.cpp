@@ -13,7 +13,7 @@
 #include "scan_cell_common/errors/errors.h"
 #include "scan_cell_common/files/files.h"
 
-// PCL's writers would bring VTK and OpenNI to whoever reads or writes a cloud.
+// PCL's writers would link VTK and OpenNI into every program that reads or writes a cloud.
 
 namespace scan_cell_common {
 namespace {
@@ -73,7 +73,7 @@ void append_length(const std::uint8_t* metres, double per_metre, std::string& by
 struct Column {
   std::size_t offset;  // [bytes] in a point
   std::size_t size;    // [bytes]
-  bool is_scaled;      // a length, in another unit than metres
+  bool is_scaled;      // a length in a unit other than metres
 };
 
 std::vector<Column> columns_of(const std::vector<CloudField>& fields, double metres_per_unit) {
@@ -90,8 +90,8 @@ std::vector<Column> columns_of(const std::vector<CloudField>& fields, double met
   return columns;
 }
 
-/// The fields one behind the other, without what lies between them in memory; in blocks: the cloud
-/// may take most of the memory.
+/// Writes the fields one after the other, without the gaps between them in memory. Writes in
+/// blocks, since the cloud may take most of the memory.
 void write_points(std::ostream& file, const PointsToWrite& points, double metres_per_unit) {
   constexpr std::size_t kAtOnce = 65536;
   const double per_metre = 1 / metres_per_unit;

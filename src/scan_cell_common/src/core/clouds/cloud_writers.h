@@ -9,7 +9,7 @@
 
 namespace scan_cell_common {
 
-/// Points, wherever they lie.
+/// Points anywhere in memory.
 struct PointsToWrite {
   std::vector<CloudField> fields;
   std::size_t width = 0;
@@ -17,14 +17,14 @@ struct PointsToWrite {
   PointAt at;
 };
 
-/// The one writer of every cloud.
+/// Writes every cloud of the suite.
 /// @throw FileError if the file cannot be written or its ending is neither .ply nor .pcd
 void write_cloud(const std::string& path, const PointsToWrite& points, double metres_per_unit);
 
-/// @throw UnusableInput naming the one of x, y and z that is missing or no float32
+/// @throw UnusableInput naming the one of x, y and z that is missing or not float32
 void check_coordinates(const std::vector<CloudField>& fields);
 
-/// Prefixes of the fields of a place: they have the unit and the frame of x, y and z.
+/// Prefixes of the fields of a place, which have the unit and the frame of x, y and z.
 const std::vector<std::string>& place_prefixes();
 
 }  // namespace scan_cell_common

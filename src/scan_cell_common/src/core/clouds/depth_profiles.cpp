@@ -14,7 +14,7 @@
 namespace scan_cell_common {
 namespace {
 
-/// A first line of words alone. One of words and numbers may hold the columns' positions.
+/// Whether the first line has only words. One of words and numbers may hold the columns' positions.
 bool is_header(const TableReader& table) {
   const auto is_word = [](std::string_view field) {
     return !field.empty() && !parse_number(field);

@@ -41,7 +41,7 @@ void write(const float* vector, const std::vector<std::size_t>& offsets, std::ui
     std::memcpy(point + offsets[k], vector + k, sizeof(float));
 }
 
-/// The fields that go with a point from frame to frame, besides its place.
+/// The fields that are transformed with a point between frames, besides its position.
 class CarriedVectors {
  public:
   CarriedVectors(const std::vector<CloudField>& fields, const Eigen::Isometry3f& motion)

@@ -30,7 +30,7 @@ pcl::PointXYZ vertex_of(const Words& words, const std::string& where) {
   return {xyz[0], xyz[1], xyz[2]};
 }
 
-/// Each three vertices in a row are a triangle.
+/// Every three consecutive vertices are a triangle.
 pcl::PolygonMesh mesh_of_triples(Cloud& vertices) {
   std::vector<pcl::Vertices> polygons(vertices.points.size() / 3);
   pcl::index_t next = 0;
@@ -84,7 +84,7 @@ pcl::PolygonMesh parse_ascii_stl(std::string_view text, const std::string& sourc
   return mesh_of_triples(vertices);
 }
 
-/// The vertex that a corner of a face names: from 1, or backwards from the last so far.
+/// The vertex named by a corner of a face: counted from 1, or backwards from the last one so far.
 pcl::index_t corner_of(std::string_view word, std::size_t vertices, const std::string& where) {
   constexpr std::uint64_t kMost = std::numeric_limits<pcl::index_t>::max();
   const std::string_view first = word.substr(0, word.find('/'));

@@ -14,12 +14,12 @@ namespace {
 
 constexpr std::size_t kMaxCorners = 1000;
 
-/// Twice the area, above 0 where a, b, c turn to the left.
+/// Twice the area, above 0 if a, b, c turn left.
 double turn(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& c) {
   return (b - a).x() * (c - a).y() - (b - a).y() * (c - a).x();
 }
 
-/// The corners in the plane of the polygon (Newell's normal), counted to the left around it.
+/// The corners in the plane of the polygon (Newell's normal), in counter-clockwise order.
 std::vector<Eigen::Vector2d> flattened(const pcl::Vertices& polygon, const Cloud& vertices) {
   std::vector<Eigen::Vector3d> corners;
   for (const pcl::index_t index : polygon.vertices)
@@ -38,7 +38,7 @@ std::vector<Eigen::Vector2d> flattened(const pcl::Vertices& polygon, const Cloud
   return flat;
 }
 
-/// Cuts ears off a polygon (Meisters 1975): triangles that hold no other corner.
+/// Cuts ears off a polygon (Meisters 1975): triangles that contain no other corner.
 class Ears {
  public:
   Ears(const pcl::Vertices& polygon, const Cloud& vertices)
@@ -52,7 +52,7 @@ class Ears {
       std::size_t at = 0;
       while (at < left_.size() && !is_ear(at))
         ++at;
-      if (at == left_.size()) at = 0;  // of a polygon that crosses itself or has no area
+      if (at == left_.size()) at = 0;  // the polygon crosses itself or has no area
       add(at, triangles);
       left_.erase(left_.begin() + static_cast<std::ptrdiff_t>(at));
     }

@@ -12,7 +12,7 @@ namespace scan_cell_common {
 pcl::PolygonMesh mesh_of(Cloud& vertices, std::vector<pcl::Vertices> polygons);
 
 /// @param first number of the first vertex in the file, for the error
-/// @throw FileError if a corner is no vertex
+/// @throw FileError if a corner is not a vertex
 void check_corners(const std::vector<pcl::Vertices>& polygons, std::size_t vertices,
                    const std::string& source, int first);
 

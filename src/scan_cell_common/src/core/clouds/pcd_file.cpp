@@ -33,14 +33,14 @@ struct Header {
   std::string_view data;
 };
 
-/// Where a number of a point stands.
+/// Location of a number of a point.
 struct Number {
-  std::size_t word = 0;    // of a line
+  std::size_t word = 0;    // index in a line
   std::size_t offset = 0;  // [bytes] of the fields before it in a point
   Scalar type = Scalar::kFloat;
 };
 
-/// The place and size of everything in a point.
+/// Location and size of all numbers of a point.
 struct Layout {
   std::array<Number, 3> xyz;
   std::vector<Number> carried;  // besides
@@ -112,7 +112,7 @@ Header header_of(LineReader& lines, const std::string& source) {
   throw FileError(source, "no PCD file, or one whose header has no end", "write the file again");
 }
 
-/// @return the points that the header promises
+/// @return number of points that the header promises
 std::uint64_t points_of(const Header& header, const std::string& source) {
   const std::uint64_t points = header.width * header.height;
   if (!header.points || *header.points == points) return points;
@@ -121,7 +121,7 @@ std::uint64_t points_of(const Header& header, const std::string& source) {
                   "correct WIDTH, HEIGHT and POINTS");
 }
 
-/// None of a field that is no single number, or one with 64 bits that is no double.
+/// None if the field is not a single number, or has 64 bits and is not a double.
 std::optional<Scalar> scalar_of(const Field& field) {
   constexpr std::string_view kPadding = "_";
   struct Known {
@@ -139,7 +139,7 @@ std::optional<Scalar> scalar_of(const Field& field) {
   return std::nullopt;
 }
 
-/// @param carried gets the fields; null: not wanted
+/// @param carried receives the fields; null: not wanted
 Layout layout_of(const Header& header, const std::string& source, FieldedCloud* carried) {
   Layout layout;
   if (carried != nullptr) add_coordinates(*carried);
@@ -169,7 +169,7 @@ Layout layout_of(const Header& header, const std::string& source, FieldedCloud* 
                   "write the file again");
 }
 
-/// A header that promises more than the file can hold is refused before anything is made for it.
+/// Refuses a header that promises more than the file can hold, before any memory is allocated.
 void check_count(std::uint64_t points, std::size_t size, std::size_t bytes,
                  const std::string& source) {
   if (points > bytes / size) refuse_truncated(source, points, bytes);
@@ -239,10 +239,10 @@ void read_binary(std::string_view bytes, const Layout& layout, std::uint64_t poi
   }
 }
 
-/// LZF: two sizes, then each field of all points as a whole.
+/// Unpacks LZF: two sizes, then field by field, each for all points.
 std::string unpacked(std::string_view bytes, std::uint64_t wanted, const std::string& source) {
   constexpr std::size_t kSizes = 8;
-  constexpr std::uint64_t kMaxRatio = 264 / 3;  // what three bytes of LZF can stand for
+  constexpr std::uint64_t kMaxRatio = 264 / 3;  // three bytes of LZF give at most 264
   if (bytes.size() <= kSizes) refuse_truncated(source, wanted, bytes.size());
   const auto packed_size = load_as<std::uint32_t>(bytes.data(), false);
   const auto size = load_as<std::uint32_t>(bytes.data() + 4, false);

@@ -18,11 +18,11 @@ namespace {
 
 using Words = std::vector<std::string_view>;
 
-constexpr std::size_t kMaxUnnamed = 12;  // columns a point: more are a depth profile
+constexpr std::size_t kMaxUnnamed = 12;  // columns per point: more are a depth profile
 
 struct ColumnName {
   std::string name;  // in lower case, without the unit
-  std::string unit;  // m, mm or inch; empty where none is named
+  std::string unit;  // m, mm or inch; empty: not named
 };
 
 /// "X", "x [mm]", "x(mm)" and "x_mm"
@@ -47,10 +47,10 @@ ColumnName name_of(std::string_view word) {
   return {name, ""};
 }
 
-/// Where x, y and z stand, and what the other columns are called.
+/// The columns of x, y and z, and the names of the others.
 struct Columns {
   std::array<std::size_t, 3> xyz{0, 1, 2};
-  bool named = false;  // in a header
+  bool named = false;  // by a header
   std::string unit;
   std::vector<std::string> others;
 };
@@ -59,7 +59,7 @@ bool is_number(std::string_view field) {
   return field.empty() || parse_number(field);
 }
 
-/// 0 to 2 for x to z, as ParaView names them too; none for others.
+/// 0 to 2 for x to z, also by ParaView's names; none for others.
 std::optional<std::size_t> axis_of(const std::string& name) {
   constexpr std::array<std::array<std::string_view, 3>, 2> kNames = {
       {{"x", "y", "z"}, {"points:0", "points:1", "points:2"}}};
@@ -70,7 +70,7 @@ std::optional<std::size_t> axis_of(const std::string& name) {
   return std::nullopt;
 }
 
-/// Columns as a header names them; none if it names no single x, y and z, or in several units.
+/// Columns named by a header; none if x, y and z are not each named once, or have several units.
 std::optional<Columns> columns_of(const Words& header) {
   Columns columns;
   columns.named = true;
@@ -99,7 +99,7 @@ std::optional<Columns> columns_of(const Words& header) {
                "--profile-step)");
 }
 
-/// @param is_header whether the first line, which the table is at, is no point
+/// @param is_header whether the first line, at which the table is, is not a point
 Columns find_columns(const TableReader& table, bool& is_header) {
   const Words& first = table.fields();
   is_header = !std::all_of(first.begin(), first.end(), is_number);
@@ -134,7 +134,7 @@ void check_unit(const Columns& columns, double metres_per_unit, const std::strin
                   "read it with --units " + columns.unit);
 }
 
-/// Sees a first column that counts the lines, which would be taken for x.
+/// Detects a first column that counts the lines, which would be taken for x.
 class LineCount {
  public:
   void see(double value) {

@@ -10,18 +10,18 @@
 namespace scan_cell_common {
 namespace {
 
-constexpr std::size_t kMinPoints = 5;  // that hold the same number: measured ones never do so
+constexpr std::size_t kMinPoints = 5;  // with the same number; measured ones never have it
 
-/// Where most of the numbers on an axis lie, and how they repeat.
+/// Range of most numbers on an axis, and how often they repeat.
 struct Range {
   double least = 0;
   double most = 0;
-  double repeated = 0;  // share of the number that occurs most often
+  double repeated = 0;  // share of the most frequent number
 
   double distance(double value) const { return std::max({0.0, least - value, value - most}); }
 };
 
-/// Of about 20,000 of the points that `keep` keeps, without the outermost 1 % at each end.
+/// Range of about 20,000 of the points that `keep` selects, without the outermost 1 % at each end.
 template <class Keep>
 Range range_of(const Cloud& cloud, std::size_t axis, const Keep& keep) {
   constexpr std::size_t kSample = 20000;
@@ -51,7 +51,7 @@ bool is_finite(const pcl::PointXYZ& point) {
   return std::isfinite(point.x) && std::isfinite(point.y) && std::isfinite(point.z);
 }
 
-/// Of what `keep` keeps.
+/// Ranges of the points that `keep` selects.
 template <class Keep>
 std::array<Range, 3> box_of(const Cloud& cloud, const Keep& keep) {
   return {range_of(cloud, 0, keep), range_of(cloud, 1, keep), range_of(cloud, 2, keep)};
@@ -64,9 +64,9 @@ double diagonal(const std::array<Range, 3>& box) {
   return std::sqrt(squared);
 }
 
-/// Whether a number that many points hold lies where nothing can have been measured: very far away,
-/// or clearly away from numbers that noise keeps from repeating. So the table in a computed cloud
-/// without noise is none.
+/// Whether a number shared by many points lies where nothing can have been measured: very far away,
+/// or clearly away from numbers that do not repeat because of noise. So the table in a computed
+/// cloud without noise is not a sentinel.
 bool is_far(double value, const std::array<Range, 3>& box, std::size_t axis) {
   constexpr double kVeryFar = 2;  // diagonals of the rest
   constexpr double kFar = 0.2;
@@ -76,7 +76,7 @@ bool is_far(double value, const std::array<Range, 3>& box, std::size_t axis) {
   return size > 0 && distance > (box[axis].repeated < kNoise ? kFar : kVeryFar) * size;
 }
 
-/// The least or greatest value on an axis, where it is far from all others and many points hold it.
+/// The least or greatest value on an axis, if it is far from all others and many points have it.
 std::optional<Sentinel> extreme_at(const Cloud& cloud, std::size_t axis, bool greatest) {
   float extreme = std::numeric_limits<float>::infinity() * (greatest ? -1.F : 1.F);
   std::size_t count = 0;
@@ -98,7 +98,7 @@ bool is_zero(const pcl::PointXYZ& point) {
   return point.x == 0 && point.y == 0 && point.z == 0;
 }
 
-/// Points at the very origin, outside of where all others are.
+/// Points exactly at the origin, outside the range of all others.
 std::optional<Sentinel> zeros_of(const Cloud& cloud) {
   constexpr double kOutside = 0.1;  // of the diagonal of the rest
   const auto count = static_cast<std::size_t>(std::count_if(cloud.begin(), cloud.end(), is_zero));
@@ -126,7 +126,7 @@ std::optional<Sentinel> find_sentinel(const Cloud& cloud) {
 }
 
 bool holds_invalid(const pcl::PointXYZ& point, double invalid) {
-  // As a float has it, and to the digits that a text file is likely to have.
+  // Within the rounding of a float and of the digits that a text file usually has.
   constexpr double kEqual = 1e-6;
   const auto is_invalid = [invalid](float value) {
     return std::abs(static_cast<double>(value) - invalid) <= kEqual * std::abs(invalid);

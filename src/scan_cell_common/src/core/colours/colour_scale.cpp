@@ -16,7 +16,7 @@ constexpr std::array<Rgb, 5> kBrightening = {{{0.27F, 0.00F, 0.33F},
                                               {0.13F, 0.57F, 0.55F},
                                               {0.37F, 0.79F, 0.38F},
                                               {0.99F, 0.91F, 0.14F}}};
-// As the pages of runs have them, part_recipes/scripts/report/colours.py.
+// The same as in the pages of runs, part_recipes/scripts/report/colours.py.
 constexpr std::array<unsigned, 7> kDiverging = {0x0b4fa8, 0x3d8fe0, 0xa6cdf2, 0xf4f4f4,
                                                 0xfcc98f, 0xee8a1d, 0xb04f00};
 

@@ -35,7 +35,7 @@ void check_readable(const std::string& path) {
 bool is_same_file(const std::string& one, const std::string& other) {
   std::error_code failure;
   if (fs::equivalent(one, other, failure)) return true;
-  const fs::path place = fs::weakly_canonical(one, failure);  // also where there is none yet
+  const fs::path place = fs::weakly_canonical(one, failure);  // even if it does not exist yet
   return !failure && place == fs::weakly_canonical(other, failure);
 }
 

@@ -13,7 +13,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What is wrong with removing it; empty: nothing.
+/// Why the file must not be removed; empty: it may be.
 std::string reason_to_keep(const std::string& path) {
   std::error_code failure;
   const fs::file_status status = fs::symlink_status(path, failure);
@@ -102,7 +102,7 @@ void Outputs::clear_where_possible(const std::vector<std::string>& words) const 
       refuse_overwriting(named.path, named.others);
       remove_old(named.path);
     } catch (const FileError&) {
-      // it is no old result; what is wrong with the options is told in any case
+      // it is not an old result; the fault in the options is reported in any case
     }
   }
 }

@@ -30,7 +30,7 @@ Number load_as(const char* bytes, bool big_endian) {
   return number;
 }
 
-/// The float next to a number; infinite where floats do not reach that far.
+/// The float nearest to a number; infinite beyond the range of floats.
 inline float to_float(double number) {
   constexpr double kMost = std::numeric_limits<float>::max();
   if (number > kMost) return std::numeric_limits<float>::infinity();

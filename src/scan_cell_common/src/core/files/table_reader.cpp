@@ -32,7 +32,7 @@ char delimiter_of(std::string_view line) {
   return ' ';
 }
 
-/// What a line of comment says; no text where it is none.
+/// The text of a comment line; empty if it is not a comment.
 std::string_view said_in_comment(std::string_view line) {
   if (line[0] != '#' && line[0] != '%' && line.substr(0, 2) != "//") return {};
   const std::size_t begin = line.find_first_not_of("#%/ \t");

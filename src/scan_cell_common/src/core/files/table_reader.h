@@ -8,9 +8,9 @@
 
 namespace scan_cell_common {
 
-/// Goes through a table of text line by line. What parts its columns is seen in its first line:
-/// semicolons, else tabs, else commas, else blanks. Empty lines are left out, blanks and quotes
-/// around a field too. The text must outlive it.
+/// Reads a text table line by line. The first line determines the column separator: semicolons,
+/// else tabs, else commas, else blanks. Empty lines are skipped, and blanks and quotes around a
+/// field removed. The text must outlive the reader.
 class TableReader {
  public:
   TableReader(std::string_view text, const std::string& source);
@@ -18,17 +18,16 @@ class TableReader {
   /// Goes to the next line that is neither empty nor a comment (#, //, %). False at the end.
   bool next();
 
-  /// Of the comments before the first line, the last one's fields: some programs write their header
-  /// so.
+  /// Fields of the last comment before the first line: some programs write their header there.
   const std::vector<std::string_view>& comment() const { return comment_; }
 
   const std::vector<std::string_view>& fields() const { return fields_; }
 
-  /// @throw FileError unless this line has as many fields as the first
+  /// @throw FileError if this line does not have as many fields as the first
   void expect_columns() const;
 
-  /// The number in a field; NaN where it is empty.
-  /// @throw FileError if it is none
+  /// The number in a field; NaN if it is empty.
+  /// @throw FileError if it is not a number
   double number(std::size_t column) const;
 
   /// @throw FileError about this line

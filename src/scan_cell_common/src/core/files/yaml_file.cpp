@@ -78,7 +78,7 @@ std::vector<double> YamlEntry::numbers(std::size_t count) const {
 
 Eigen::Vector3d YamlEntry::direction() const {
   constexpr double kShortest = 1e-6;
-  constexpr double kUnit = 1e-9;  // off length 1 by rounding
+  constexpr double kUnit = 1e-9;  // deviation from length 1 by rounding
   const Eigen::Vector3d given = vector<3>();
   const double length = given.norm();
   if (!(length > kShortest && std::isfinite(length)))

@@ -15,19 +15,19 @@ namespace {
 
 using Position = std::function<Eigen::Vector3d(std::size_t)>;
 
-constexpr double kSame = 0.5;    // of a cell between two means across their border; chosen
-constexpr double kBeside = 0.3;  // of a cell between them along it: noise moves none there; chosen
-constexpr double kThin = 0.23;   // of a cell, deviation of its points: 0.29 fill it; chosen
+constexpr double kSame = 0.5;    // of a cell, between two means across their border; chosen
+constexpr double kBeside = 0.3;  // of a cell, between them along it, where noise moves none; chosen
+constexpr double kThin = 0.23;   // of a cell, deviation of its points; 0.29 fills it; chosen
 constexpr double kBroad = 0.15;  // of a cell, deviation of points of a surface along it; chosen
-constexpr double kFlat = 0.02;   // of a cell: no deviation, but for rounding; chosen
-constexpr double kUneven = 4;    // of two deviations: noise cut in two has up to 3; chosen
-constexpr std::size_t kLeast = 9;  // places in both: fewer tell little of how they spread; chosen
-constexpr double kFew = 0.2;       // of the neighbour's points: what noise carries over; chosen
+constexpr double kFlat = 0.02;   // of a cell: no deviation except rounding; chosen
+constexpr double kUneven = 4;    // ratio of two deviations; noise cut in two has up to 3; chosen
+constexpr std::size_t kLeast = 9;  // places in both; fewer tell little about the spread; chosen
+constexpr double kFew = 0.2;  // of the neighbour's points: share that noise carries over; chosen
 
-/// The entries of a cell, and what is known of their points.
+/// The entries of a cell, and statistics of their points.
 struct FilledCell {
   std::size_t begin, end;
-  std::size_t places;         // in which they lie: copies of a point say no more than it
+  std::size_t places;         // distinct positions: copies of a point add no information
   Eigen::Vector3d mean;       // [m]
   Eigen::Vector3d deviation;  // [m]
 
@@ -58,7 +58,7 @@ FilledCell filled(const std::vector<GridEntry>& entries, std::size_t begin, std:
   return {begin, end, places_of(points), mean, variance.cwiseSqrt()};
 }
 
-/// Finds for each cell the one that it goes with.
+/// Finds for each cell the one that it joins.
 class Joiner {
  public:
   Joiner(const std::vector<GridEntry>& entries, const Position& position, const Grid& grid)
@@ -75,7 +75,7 @@ class Joiner {
       look_along(axis);
   }
 
-  /// The cells of each piece that lies in several, in their order.
+  /// The cells of each piece that lies in more than one, in order.
   std::vector<std::vector<FilledCell>> pieces() const {
     std::map<std::size_t, std::vector<FilledCell>> pieces;
     for (std::size_t i = 0; i < cells_.size(); ++i)
@@ -97,7 +97,7 @@ class Joiner {
     return cell;
   }
 
-  /// Adding one to all cells keeps their order, so their neighbours come in that order, too.
+  /// Adding one to all cells keeps their order, so their neighbours are in the same order.
   void look_along(std::size_t axis) {
     std::size_t other = 0;
     for (std::size_t i = 0; i < cells_.size(); ++i) {
@@ -110,8 +110,8 @@ class Joiner {
     }
   }
 
-  /// The one with fewer points may go with the other; of several others with the one that is
-  /// nearest along the axis on which they are neighbours.
+  /// The cell with fewer points may join the other; of several others, the one nearest along the
+  /// axis on which they are neighbours.
   void meet(std::size_t one, std::size_t other, int axis) {
     if (cells_[one].count() > cells_[other].count()) std::swap(one, other);
     const FilledCell& fuller = cells_[other];
@@ -146,7 +146,7 @@ class Joiner {
   const std::vector<GridEntry>& entries_;
   const Grid& grid_;
   std::vector<FilledCell> cells_;
-  std::vector<std::size_t> with_;  // itself: it stays
+  std::vector<std::size_t> with_;  // its own index: it stays alone
   std::vector<double> nearest_;
 };
 
@@ -173,7 +173,7 @@ void deal(const std::vector<FilledCell>& cells, const Position& position,
     numbers.push_back(entries[cell.begin].cell);
   for (std::size_t first = 0, next = 0; first < points.size(); first = next) {
     while (next < points.size() && points[next].first[along] == points[first].first[along])
-      ++next;  // of those in one place along: they stay together, where their middle belongs
+      ++next;  // points in one place along stay together, where their middle belongs
     const std::size_t cell = (first + next) * cells.size() / (2 * points.size());
     for (std::size_t i = first; i < next; ++i)
       *places[i] = {numbers[cell], points[i].second};

@@ -36,7 +36,7 @@ struct LineServer::Implementation {
     thread = std::thread([this] { service.context.run(); });
   }
 
-  /// The context's thread ends when the last client is done with.
+  /// The context's thread ends when the last client has been dealt with.
   ~Implementation() {
     asio::post(service.context, [this] { stop(); });
     thread.join();
@@ -73,7 +73,7 @@ struct LineServer::Implementation {
     });
   }
 
-  /// Serves a client, turns it away, or lets it wait until one that has gone is done with.
+  /// Serves a client, turns it away, or lets it wait until a client that has gone is cleaned up.
   void take(tcp::socket client) {
     if (sessions.size() < service.options.max_clients) {
       sessions.emplace_back();
@@ -118,7 +118,7 @@ struct LineServer::Implementation {
   std::uint16_t port = 0;
   asio::steady_timer pause{service.context};
   std::list<std::shared_ptr<LineSession>> sessions;
-  std::optional<tcp::socket> waiting;  // for its turn; nobody is accepted meanwhile
+  std::optional<tcp::socket> waiting;  // for its turn; no client is accepted meanwhile
   std::thread thread;
 };
 

@@ -22,7 +22,7 @@ void set_option(int socket, int level, int name, int value) {
   ::setsockopt(socket, level, name, &value, sizeof(value));
 }
 
-/// Lets a client whose cable was pulled be noticed within five seconds.
+/// Detects a client whose cable was pulled within five seconds.
 /// @param unheard [s] in which sent bytes must be acknowledged
 void probe_line(int socket, double unheard) {
   set_option(socket, SOL_SOCKET, SO_KEEPALIVE, 1);
@@ -67,7 +67,7 @@ void LineSession::stop() {
 }
 
 bool LineSession::is_there() {
-  pollfd end{socket_.native_handle(), POLLRDHUP, 0};  // it may not be read yet
+  pollfd end{socket_.native_handle(), POLLRDHUP, 0};  // the end may not have been read yet
   return there_ && ::poll(&end, 1, 0) == 0;
 }
 
@@ -157,7 +157,7 @@ void LineSession::send_rest(std::size_t sent) {
 
 void LineSession::leave(const std::string& farewell) {
   if (there_.exchange(false)) farewell_ = farewell;
-  if (sending_) return close();  // it does not take its answer, and will not
+  if (sending_) return close();  // the client does not accept its answer, and will not
   next();
 }
 
@@ -176,8 +176,8 @@ void LineSession::close() {
 }
 
 void LineSession::after_loss() {
-  // Bytes that nobody read would make the kernel reset the connection, and the client might lose
-  // what it was told last: it is given time to hang up itself.
+  // Unread bytes would make the kernel reset the connection, and the client might lose the last
+  // message. So it is given time to close the connection itself.
   constexpr double kFarewell = 0.5;  // [s] chosen
   loss_told_ = true;
   if (all_read_) return finish();
@@ -194,7 +194,7 @@ void LineSession::finish() {
 }
 
 void LineSession::stop_timer() {
-  ++turn_;  // for a wait that has ended but was not handled yet
+  ++turn_;  // invalidates a wait that has ended but was not handled yet
   timer_.cancel();
 }
 

@@ -17,7 +17,7 @@
 
 namespace scan_cell_common {
 
-/// What all clients of a server share.
+/// State shared by all clients of a server.
 struct LineService {
   LineServer::Options options;
   LineServer::Answer answer;
@@ -26,8 +26,9 @@ struct LineService {
   boost::asio::thread_pool answerer{1};  // one thread: one line at a time
 };
 
-/// One client's connection. All but is_there() is for the thread of the service's context. Reading
-/// never pauses while a line is answered, so that the end of the connection is seen at once.
+/// One client's connection. Everything but is_there() is for the thread of the service's context.
+/// Reading never pauses while a line is answered, so that the end of the connection is noticed at
+/// once.
 class LineSession : public std::enable_shared_from_this<LineSession> {
  public:
   using Socket = boost::asio::ip::tcp::socket;
@@ -36,11 +37,11 @@ class LineSession : public std::enable_shared_from_this<LineSession> {
 
   void begin();
 
-  /// Hangs up as soon as the line under way is answered.
+  /// Disconnects as soon as the line in progress is answered.
   void stop();
 
-  /// False from when the client closed the connection in its direction, its line went dead, or it
-  /// sent what ends the connection, also while lines that came before are not answered yet.
+  /// False once the client has closed its direction of the connection, its line has gone dead, or
+  /// it has sent what ends the connection, even while earlier lines are not answered yet.
   bool is_there();
 
   /// The client's address.
@@ -66,25 +67,25 @@ class LineSession : public std::enable_shared_from_this<LineSession> {
   const std::string peer_;
   const std::function<void()> on_end_;
   boost::asio::steady_timer timer_;
-  std::uint64_t turn_ = 0;  // of the timer: a wait before this one counts no more
+  std::uint64_t turn_ = 0;  // of the timer: earlier waits no longer count
   std::array<char, 4096> bytes_{};
   std::string rest_;               // the beginning of the next line
   std::deque<std::string> lines_;  // not answered yet
-  std::size_t ahead_ = 0;          // [bytes] of them
-  std::string output_;             // the line that is being sent
-  std::string farewell_;           // what the client is told before it is hung up on
+  std::size_t ahead_ = 0;          // [bytes] of these lines
+  std::string output_;             // the line being sent
+  std::string farewell_;           // what the client is told before it is disconnected
   std::atomic<bool> there_{true};
   bool waits_for_line_ = false;
   bool unread_ = false;     // reading pauses until all lines are answered
-  bool answering_ = false;  // a line, up to the end of its answer
+  bool answering_ = false;  // true until the answer to a line is sent
   bool sending_ = false;
   bool closing_ = false;
   bool loss_told_ = false;
-  bool all_read_ = false;  // nothing will come any more
+  bool all_read_ = false;  // nothing more will arrive
   bool finished_ = false;
 };
 
-/// Sends what the client takes without waiting. @return [bytes] that it took
+/// Sends what the client accepts without waiting. @return [bytes] accepted
 std::size_t send_now(LineSession::Socket& socket, std::string_view bytes,
                      boost::system::error_code& error);
 

@@ -27,7 +27,7 @@ double number_of(const std::string& option, const std::string& word) {
   return *number;
 }
 
-/// What is typed, as the type of a parameter.
+/// Converts typed words to the type of a parameter.
 struct TakeWords {
   const std::string& option;
   const std::vector<std::string>& words;

@@ -99,7 +99,7 @@ void ParameterTable::refuse(const std::string& name, const std::string& value,
 }
 
 void ParameterTable::check_range(const Parameter& parameter, double value) const {
-  if (value >= parameter.min && value <= parameter.max) return;  // not so for NaN
+  if (value >= parameter.min && value <= parameter.max) return;  // false for NaN
   if (parameter.also == Also::kZero && value == 0) return;
   if (parameter.also == Also::kNone && std::isinf(value)) return;
   throw InvalidParameter(named(parameter.name), fmt::format("{:g}", value),

@@ -15,7 +15,7 @@ bool is_sequence(const std::string& axes) {
          axes[0] != axes[1] && axes[1] != axes[2];
 }
 
-/// -pi is pi.
+/// Turns -pi into pi.
 double half_open(double angle) {
   return angle <= -M_PI ? M_PI : angle;
 }
@@ -45,7 +45,7 @@ Eigen::Matrix3d EulerSequence::rotation(const Eigen::Vector3d& angles) const {
 Eigen::Vector3d EulerSequence::angles(const Eigen::Matrix3d& rotation) const {
   constexpr double kDegenerate = 1e-12;
   const auto [i, j, k] = order_;
-  // The third axis as the first two turns leave it lies (at the first angle) beside the first axis.
+  // After the first two rotations, the third axis lies beside the first axis, at the first angle.
   const Eigen::Vector3d third = rotation.col(axes_[2] - 'x');
   const double beside = std::hypot(third[j], third[k]);
   Eigen::Vector3d result;
@@ -56,8 +56,8 @@ Eigen::Vector3d EulerSequence::angles(const Eigen::Matrix3d& rotation) const {
     result[0] = beside > kDegenerate ? std::atan2(-sign_ * third[j], third[k]) : 0;
     result[1] = std::atan2(sign_ * third[i], beside);
   }
-  // The third angle is what is left after the first: the second turn leaves this row as it is.
-  // Taken from the rotation alone it would not fit the first angle near a degenerate place.
+  // The third angle is what remains after the first: the second rotation leaves this row unchanged.
+  // Taken from the rotation alone, it would not match the first angle near a degenerate place.
   const Eigen::RowVector3d row =
       std::cos(result[0]) * rotation.row(j) + sign_ * std::sin(result[0]) * rotation.row(k);
   result[2] = repeats() ? std::atan2(-sign_ * row[k], row[j]) : std::atan2(sign_ * row[i], row[j]);

@@ -71,7 +71,7 @@ bool CameraIntrinsics::undistort(const Eigen::Vector2d& distorted, Eigen::Vector
   const double k1 = distortion[0], k2 = distortion[1], p1 = distortion[2], p2 = distortion[3],
                k3 = distortion[4];
   constexpr int kMaxSteps = 20;
-  constexpr double kConverged = 1e-7;  // each step squares the error, so 1e-14 is left after it
+  constexpr double kConverged = 1e-7;  // each step squares the error, so 1e-14 remains
   double x = ray.x();
   double y = ray.y();
   for (int step = 0; step < kMaxSteps; ++step) {

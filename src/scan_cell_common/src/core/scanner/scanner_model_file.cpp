@@ -77,7 +77,7 @@ std::vector<double> read_deviations(const YamlEntry& root) {
   return deviations;
 }
 
-/// @throw UnusableInput where the reader would refuse a deviation; nothing is written then
+/// @throw UnusableInput if the reader would refuse a deviation; then nothing is written
 void save(const std::string& path, const YAML::Node& root) {
   YAML::Emitter out;
   if (root[kUncertainty])
@@ -137,7 +137,7 @@ void save_scanner_model(const std::string& path, const ScannerModel& model,
   if (!existing.empty()) {
     const char* const name = "existing scanner model";
     const ScannerModel other = parse_scanner_model(existing, name);
-    // Numbers come back from text as they were; a quaternion does not come back from a matrix.
+    // Numbers are restored exactly from text; a quaternion is not restored exactly from a matrix.
     if (model.flange_to_camera.matrix() == other.flange_to_camera.matrix())
       root["flange_to_camera"] = scan_cell_common::parse_yaml(existing, name)["flange_to_camera"];
   }

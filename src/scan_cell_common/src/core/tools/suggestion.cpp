@@ -15,7 +15,7 @@ std::string plain(const std::string& word) {
   return text;
 }
 
-/// Letters lost, added, changed, or swapped with their neighbour.
+/// Number of letters lost, added, changed, or swapped with their neighbour.
 std::size_t distance(const std::string& one, const std::string& other) {
   std::vector<std::size_t> before, last(other.size() + 1), row(other.size() + 1);
   for (std::size_t k = 0; k <= other.size(); ++k)
@@ -38,7 +38,7 @@ std::size_t distance(const std::string& one, const std::string& other) {
 }  // namespace
 
 std::string nearest_name(const std::string& word, const std::vector<std::string>& names) {
-  constexpr std::size_t kLettersAFault = 3;  // one fault in so many letters may be a slip
+  constexpr std::size_t kLettersAFault = 3;  // one fault in this many letters may be a typing error
   const std::string typed = plain(word);
   std::string nearest;
   std::size_t least = std::max<std::size_t>(1, typed.size() / kLettersAFault) + 1;

@@ -7,10 +7,10 @@
 
 namespace scan_cell_common {
 
-/// The name somebody meant who typed `word`: the one with the fewest letters lost, added, changed
-/// or swapped with their neighbour (optimal string alignment distance), or one that begins with it.
-/// Dashes in front, underscores for dashes, and capitals do not count.
-/// @return empty where none is near
+/// The name probably meant by `word`: the one with the fewest letters lost, added, changed or
+/// swapped with their neighbour (optimal string alignment distance), or one that begins with it.
+/// Leading dashes, underscores for dashes, and capitals are ignored.
+/// @return empty if none is near
 std::string nearest_name(const std::string& word, const std::vector<std::string>& names);
 
 }  // namespace scan_cell_common

@@ -19,12 +19,12 @@ bool is_option(const std::string& word) {
   return word.size() > 1 && word[0] == '-' && !parse_number(word);
 }
 
-/// Of the tool and of the command that was given.
+/// Options of the tool and of the given command.
 std::vector<std::string> option_names(const CLI::App& app) {
   std::vector<std::string> names;
   const auto add = [&names](const CLI::App& from) {
     for (const CLI::Option* option : from.get_options()) {
-      if (option->get_group().empty()) continue;  // hidden: the name it had before
+      if (option->get_group().empty()) continue;  // hidden: a former name
       for (const std::string& name : option->get_lnames())
         names.push_back("--" + name);
     }
@@ -50,8 +50,8 @@ std::string tell(const std::string& word, const std::string& fault,
          (nearest.empty() ? "--help lists what there is" : "did you mean " + nearest + "?");
 }
 
-/// What is wrong with the words that the tool does not know, the cause of whatever else is missing.
-/// @return empty where it knows them all
+/// Reports words that the tool does not know, since they are the cause of whatever else is missing.
+/// @return empty if it knows them all
 std::string unknown_words(const CLI::App& app) {
   const std::vector<std::string> left = app.remaining(true);
   if (left.empty()) return "";
@@ -90,7 +90,7 @@ int tool_main(const std::string& name, CLI::App& options, int argc, char** argv,
   } catch (const CLI::ParseError& error) {
     outputs.clear_where_possible(words);
     return tell_bad_options(name, options, error);
-  } catch (const std::exception& error) {  // of what an option does as soon as it is read
+  } catch (const std::exception& error) {  // from what an option does as soon as it is read
     outputs.clear_where_possible(words);
     return fail(error, kUnusable);
   }

@@ -76,7 +76,7 @@ Arc::Arc(const Isometry3d& from, const Isometry3d& via, const Isometry3d& to)
   way_of_via_ = angle_to(via) / sweep_;
 }
 
-/// [rad] from the start to a pose on the circle, the way of the motion
+/// [rad] from the start to a pose on the circle, in the direction of the motion
 double Arc::angle_to(const Isometry3d& pose) const {
   const Vector3d there = pose.translation() - from_.translation() + radius_;
   const double angle = std::atan2(axis_.dot(radius_.cross(there)), radius_.dot(there));

@@ -7,11 +7,11 @@
 namespace c4g_driver {
 
 /// A MOVE_CIRCULAR: along the circle through three positions. The orientation turns about one axis
-/// to that of `via`, which it has there, and about another one to that of `to`.
+/// to that of `via`, reached at `via`, and about another axis to that of `to`.
 class Arc : public Path {
  public:
-  /// @throw scan_cell_common::Refused if the positions have no circle, or two orientations are half
-  /// a turn apart; c4g_protocol.md says when
+  /// @throw scan_cell_common::Refused if no circle passes through the positions, or two
+  /// orientations are half a turn apart; limits in c4g_protocol.md
   Arc(const Eigen::Isometry3d& from, const Eigen::Isometry3d& via, const Eigen::Isometry3d& to);
 
   const char* name() const override { return "arc"; }

@@ -12,7 +12,7 @@ namespace {
 
 using scan_cell_common::comau_angles;
 
-/// From one angle to the other, the shorter way round [rad].
+/// Difference between two angles, the shorter way round [rad].
 double shorter_way(double from, double to) {
   return std::remainder(to - from, 2 * M_PI);
 }

@@ -6,8 +6,8 @@
 
 namespace c4g_driver {
 
-/// A MOVE_CARTESIAN along a line: the orientation turns about one fixed axis, or A, E and R go each
-/// at its own constant rate (the controller's parameter `interpolation`).
+/// A MOVE_CARTESIAN along a line: the orientation turns about one fixed axis, or A, E and R each
+/// change at their own constant rate (the controller's parameter `interpolation`).
 class Line : public Path {
  public:
   Line(const Eigen::Isometry3d& from, const Eigen::Isometry3d& to, bool euler);

@@ -7,8 +7,8 @@
 
 namespace c4g_driver {
 
-/// The way of the flange in a motion, without when: `way` runs from 0 to 1 and grows evenly with
-/// the length.
+/// The way of the flange in a motion, without timing. `way` runs from 0 to 1 in proportion to the
+/// length.
 class Path {
  public:
   /// A part of it over which the flange turns at one rate.
@@ -16,8 +16,8 @@ class Path {
     double begin;        // way
     double end;          // way
     double length;       // [m]
-    double angle;        // [rad] what the controller's rotational speed is of
-    const char* target;  // what the pose at its end is called
+    double angle;        // [rad] angle to which the rotational speed applies
+    const char* target;  // name of the pose at its end
   };
 
   virtual ~Path() = default;

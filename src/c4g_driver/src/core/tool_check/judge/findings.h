@@ -15,20 +15,20 @@ namespace c4g_driver {
 /// Value and cure of a fault.
 using Said = std::pair<std::string, std::string>;
 
-/// Faults along a path: of each kind and joint the worst between two waypoints.
+/// Faults along a path: the worst of each kind and joint between two waypoints.
 class Findings {
  public:
   /// What a fault is about, and how bad it is.
   struct About {
     ToolFault::Kind kind;
-    double severity;        // compared with others of the kind
-    std::string what = "";  // beside the place, such as "J5"
+    double severity;        // compared within the kind
+    std::string what = "";  // without the place, such as "J5"
     int joint = -1;         // 0 .. 5, if it is about one
   };
 
-  /// Takes the fault, unless a worse one of its kind is on the same way. Places come in their
+  /// Adds the fault, unless a worse one of its kind is on the same way. Places must come in path
   /// order.
-  /// @param say gives value and cure, if it is taken
+  /// @param say returns value and cure, called if the fault is added
   template <class Say>
   void add(const TrackPlace& place, const About& about, const Say& say) {
     if (Fault* fault = place_for(place, about)) {
@@ -36,7 +36,7 @@ class Findings {
     }
   }
 
-  /// In their order along the path.
+  /// The faults in path order.
   std::vector<ToolFault> take();
 
  private:

@@ -20,7 +20,7 @@ using Kind = ToolFault::Kind;
 
 constexpr double kBeyondLimit = 1e-6;  // [rad] or [m] beyond a limit; chosen
 
-/// What kind of posture ties these joints together, in an arm whose last three axes meet.
+/// The kind of posture that couples these joints, in an arm whose last three axes meet in a point.
 const char* posture_name(const std::string& tied) {
   const auto has = [&](const char* joint) { return tied.find(joint) != std::string::npos; };
   if (has("J1")) return "the wrist stands above axis 1";
@@ -28,7 +28,7 @@ const char* posture_name(const std::string& tied) {
   return "the wrist is straight";
 }
 
-/// Looks at one place after the other.
+/// Checks one place after the other.
 class Judge {
  public:
   explicit Judge(const ToolCheckSubject& subject) : subject_(subject), speeds_(subject, findings_) {
@@ -40,7 +40,7 @@ class Judge {
       check_.tips.push_back(waypoint.tip);
   }
 
-  /// The way to a waypoint, before its places.
+  /// Begins the way to a waypoint, before its places.
   void enter(const TrackPlace& place, const ToolLine& line) {
     constexpr double kHalfTurn = 179.9 * M_PI / 180;  // [rad] as between the poses of an arc
     said_lost_ = false;
@@ -53,7 +53,7 @@ class Judge {
     speeds_.enter(place, line);
   }
 
-  /// The begin of a way was the end of the one before: there, only the speeds are new.
+  /// The start of a way was the end of the one before, so only its speeds are new.
   void look(const TrackPlace& place) {
     const bool begin = place.waypoint > 0 && place.way <= 0;
     if (!begin) check_place(place);
@@ -95,10 +95,10 @@ class Judge {
     }
   }
 
-  /// [m] by which a place is out of reach in any posture. All are only searched at the begin of a
-  /// stretch that is, for it takes long.
+  /// [m] by which a place is out of reach in any posture. All postures are searched only at the
+  /// start of a stretch that is out of reach, since the search is slow.
   double gap_at(const TrackPlace& place) {
-    constexpr double kNone = 1e-4;  // [m] the search is that exact; chosen
+    constexpr double kNone = 1e-4;  // [m] accuracy of the search; chosen
     double gap = gap_from(subject_.robot, place.flange, nearest_);
     if (gap > kNone && !beyond_) {
       const Postures postures = postures_for(subject_.robot, place.flange, nearest_);
@@ -175,9 +175,9 @@ class Judge {
   ToolCheck check_;
   Findings findings_;
   WaySpeeds speeds_;
-  bool beyond_ = false;              // reach, at the place before
+  bool beyond_ = false;              // the place before was out of reach
   bool said_lost_ = false;           // on this way
-  Joints nearest_ = Joints::Zero();  // [rad] at the place before, or as near as they get
+  Joints nearest_ = Joints::Zero();  // [rad] at the place before, or nearest to it
 };
 
 }  // namespace

@@ -10,7 +10,7 @@ namespace c4g_driver {
 
 class CollisionScene;
 
-/// What a path is judged by.
+/// A path and what it is judged by.
 struct ToolCheckSubject {
   const RobotModel& robot;
   const RobotLimits& limits;  // narrowed() to the robot
@@ -20,10 +20,10 @@ struct ToolCheckSubject {
   const CollisionScene* scene;  // or none
 };
 
-/// Turns joints by full turns all along the track, where their ranges ask for it.
+/// Shifts joints by full turns along the whole track where their ranges require it.
 void choose_turns(Track& track, const ToolCheckSubject& subject);
 
-/// All that is wrong along a track, and its figures.
+/// All faults along a track, and its figures.
 ToolCheck judge(const Track& track, const ToolCheckSubject& subject);
 
 }  // namespace c4g_driver

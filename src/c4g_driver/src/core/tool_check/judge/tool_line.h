@@ -7,20 +7,20 @@
 
 namespace c4g_driver {
 
-/// The way between two waypoints: the tip along a line, the tool about one axis, both evenly.
-/// `way` runs from 0 to 1.
+/// The way between two waypoints: the tip moves along a line and the tool turns about one axis,
+/// both evenly. `way` runs from 0 to 1.
 class ToolLine {
  public:
-  /// @param motion outlives it
+  /// @param motion must outlive this object
   /// @param waypoint at its end, from 1
   ToolLine(const ToolMotion& motion, std::size_t waypoint);
 
   Eigen::Isometry3d tip(double way) const;
   double length() const { return move_.norm(); }  // [m] of the tip
   double angle() const { return turn_.norm(); }   // [rad]
-  int steps() const;                              // in which it is looked at
+  int steps() const;                              // number of steps in which it is checked
 
-  /// Velocity of a flange there: translation [m], then rotation [rad], by the way.
+  /// Derivative of the flange's pose by the way: translation [m], then rotation [rad].
   Eigen::Matrix<double, 6, 1> flange_rate(const Eigen::Isometry3d& tip,
                                           const Eigen::Isometry3d& flange) const;
 

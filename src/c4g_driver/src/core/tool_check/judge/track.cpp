@@ -9,7 +9,7 @@
 namespace c4g_driver {
 namespace {
 
-/// Goes along the path, from place to place.
+/// Follows the path from place to place.
 class Tracker {
  public:
   Tracker(const RobotModel& robot, const ToolMotion& motion, const Joints& start)
@@ -32,7 +32,7 @@ class Tracker {
  private:
   using Factors = Eigen::PartialPivLU<RobotModel::Jacobian>;
 
-  /// The place where the line before ended, now with the rates of this one.
+  /// Adds the place where the line before ended, with the rates of this line.
   void begin(const ToolLine& line, std::size_t waypoint) {
     TrackPlace place = track_.places.back();
     place.waypoint = waypoint;
@@ -73,7 +73,7 @@ class Tracker {
 
   const RobotModel& robot_;
   const Eigen::Isometry3d tip_to_flange_;
-  Joints before_;    // [rad] where it got last
+  Joints before_;    // [rad] at the last place reached
   Factors factors_;  // of the Jacobian there
   Track track_;
 };

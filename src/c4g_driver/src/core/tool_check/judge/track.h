@@ -10,7 +10,7 @@
 
 namespace c4g_driver {
 
-/// A place at which a path is looked at.
+/// A place at which a path is checked.
 struct TrackPlace {
   std::size_t waypoint;   // at it, or on the way to it
   double way;             // 0 .. 1 of the way from the waypoint before
@@ -20,19 +20,19 @@ struct TrackPlace {
   Joints joints;           // [rad] if reached
   Joints rate;             // [rad] by the way, if reached and not singular
   double flange_rate = 0;  // [m] of the flange's origin, by the way
-  double jump = 0;         // [rad] by which a joint changed since the place before
+  double jump = 0;         // [rad] largest change of a joint since the place before
   int jumping = 0;         // that joint
   std::string tied;        // joints of a singular posture
 };
 
-/// A path as one posture of the robot follows it.
+/// A path as the robot follows it in one posture.
 struct Track {
-  std::vector<TrackPlace> places;  // the first: at waypoint 0; of each way: its begin and each step
+  std::vector<TrackPlace> places;  // first: at waypoint 0; of each way: its start and each step
 };
 
-/// Follows the path in small steps. Ranges are not regarded. Where the posture does not get, it
-/// goes on from the next place that it gets to.
-/// @param start [rad] at the first waypoint, or near
+/// Follows the path in small steps. Ignores ranges. Where the posture does not reach, goes on from
+/// the next place that it reaches.
+/// @param start [rad] at the first waypoint, or near it
 Track track(const RobotModel& robot, const ToolMotion& motion, const Joints& start);
 
 }  // namespace c4g_driver

@@ -22,13 +22,13 @@ Span span_of(const Track& track, int joint) {
   return span;
 }
 
-/// How far out of the range [rad] with so many full turns added.
+/// How far outside the range [rad] with this number of full turns added.
 double excess(const Span& span, double turns, double lower, double upper) {
   const double shift = 2 * M_PI * turns;
   return std::max({0.0, lower - span.least - shift, span.most + shift - upper});
 }
 
-/// The least number of full turns that fits best.
+/// The number of full turns that fits best; the smallest if several do.
 double best_turns(const Span& span, double lower, double upper) {
   const double most = std::ceil((upper - lower) / (2 * M_PI)) + 1;
   double best = 0;

@@ -48,11 +48,11 @@ void WaySpeeds::look(const TrackPlace& place) {
 }
 
 /// @param rate [rad] by the way
-/// @param most [s] that the slowest joint takes for it
+/// @param most [s] that the slowest joint takes
 Said WaySpeeds::too_fast(double rate, int joint, double most) const {
   const std::string limit = fmt::format("the limit is {:g} rad/s: ", subject_.robot.speed()[joint]);
   const std::string value = fmt::format("{:g} rad/s", rate / seconds_);
-  if (turn_seconds_ * wanted_ > length_) {  // it is the tool's turn that makes the time
+  if (turn_seconds_ * wanted_ > length_) {  // the tool's turn determines the time
     return {value, limit + fmt::format("set rotational_speed to {:g} rad/s or less",
                                        subject_.parameters.rotational_speed * seconds_ / most)};
   }

@@ -11,20 +11,20 @@
 
 namespace c4g_driver {
 
-/// Speeds of tip, flange and joints on the ways between waypoints, one place after the other.
+/// Checks the speeds of tip, flange and joints between waypoints, one place after the other.
 class WaySpeeds {
  public:
-  /// @param findings takes the faults; both outlive it
+  /// @param findings receives the faults; both must outlive this object
   WaySpeeds(const ToolCheckSubject& subject, Findings& findings)
       : subject_(subject), findings_(findings) {}
 
-  /// The way to a waypoint, before its places.
+  /// Begins the way to a waypoint, before its places.
   void enter(const TrackPlace& place, const ToolLine& line);
 
-  /// A place that is reached, in no singular posture.
+  /// Checks a place that is reached in a posture that is not singular.
   void look(const TrackPlace& place);
 
-  const std::optional<SlowestPlace>& slowest() const { return slowest_; }  // up to now
+  const std::optional<SlowestPlace>& slowest() const { return slowest_; }  // so far
 
  private:
   void check_tool(const TrackPlace& place, const std::string& name, double rate);
@@ -37,7 +37,7 @@ class WaySpeeds {
   double length_ = 0;        // [m] of the way to the waypoint
   double turn_seconds_ = 0;  // of the tool
   double wanted_ = 0;        // [m/s]
-  double seconds_ = 0;       // of the way, as the path wants it
+  double seconds_ = 0;       // [s] of the way at the path's speed
 };
 
 }  // namespace c4g_driver

@@ -12,7 +12,7 @@ namespace c4g_driver {
 namespace {
 
 constexpr double kNear = 0.3;    // [rad] from an end of a range; chosen
-constexpr double kWeight = 0.3;  // of the strain at an end, as of a joint at half its speed; chosen
+constexpr double kWeight = 0.3;  // of the strain at an end: as a joint at half its speed; chosen
 
 }  // namespace
 

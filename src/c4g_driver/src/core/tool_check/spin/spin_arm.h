@@ -9,32 +9,32 @@
 
 namespace c4g_driver {
 
-/// The robot at a node, at a turn of the tool.
+/// The robot at a node with a turn of the tool.
 class SpinArm {
  public:
-  /// The least that a way counts, so that costs are finite where the path stands still.
+  /// Least duration of a way, so that costs are finite where the path stands still.
   static constexpr double kLeastSeconds = 1e-3;
 
-  /// @param subject outlives it
+  /// @param subject must outlive this object
   explicit SpinArm(const ToolCheckSubject& subject);
 
-  /// In the posture of `near` [rad].
+  /// Joints [rad] in the posture of `near` [rad].
   std::optional<Joints> joints(const SpinNode& node, double turn, const Joints& near) const;
 
-  /// By the turn [rad/rad].
+  /// Derivative of the joints by the turn [rad/rad].
   Joints rate(const SpinNode& node, double turn, const Joints& joints) const;
 
-  /// Whether the robot may stand so: ranges, box, no singular posture, no collision.
+  /// Whether the robot may stand there: within ranges and box, no singular posture, no collision.
   bool possible(const Joints& joints) const;
 
-  /// What standing so costs [1/s], more towards the ends of the ranges.
+  /// Cost of standing there [1/s], which grows towards the ends of the ranges.
   double strain(const Joints& joints) const;
 
-  /// First and second derivative of strain() by a turn, with the joints at these rates.
+  /// First and second derivative of strain() by the turn, with the joints changing at these rates.
   std::pair<double, double> strain_slope(const Joints& joints, const Joints& rate) const;
 
-  /// What it costs to go there in so many seconds: as much as all joints together use of their
-  /// speeds, squared, over the time. Infinite if the posture changes.
+  /// Cost of a move in this time [s]: the sum of (change / speed)^2 over the joints, divided by the
+  /// time. Infinite if the posture changes.
   double cost(const Joints& from, const Joints& to, double seconds) const;
 
   const Joints& speed() const { return subject_.robot.speed(); }  // [rad/s]
@@ -42,7 +42,7 @@ class SpinArm {
  private:
   const ToolCheckSubject& subject_;
   Eigen::Isometry3d tip_to_flange_;
-  Joints lower_;  // [rad] margin taken off
+  Joints lower_;  // [rad] reduced by the margin
   Joints upper_;
 };
 

@@ -9,7 +9,7 @@
 namespace c4g_driver {
 namespace {
 
-/// With the z of `to`, and turned from `from` by no more than that needs.
+/// `to`, with the least turn from `from` that gives its z.
 Eigen::Isometry3d carried(const Eigen::Isometry3d& from, const Eigen::Isometry3d& to) {
   Eigen::Isometry3d carried = to;
   const Eigen::Vector3d z = to.linear().col(2);

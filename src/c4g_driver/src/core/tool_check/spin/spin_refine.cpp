@@ -17,7 +17,7 @@ double cost_of(const SpinArm& arm, const std::vector<SpinNode>& nodes, const Spi
   return cost;
 }
 
-/// A sum of squares of the changes of turns, each of which is tied to its neighbours alone.
+/// A sum of squares of the changes of turns, each coupled only to its neighbours.
 class ChainOfTurns {
  public:
   ChainOfTurns(const SpinArm& arm, const std::vector<SpinNode>& nodes, const Spin& spin)
@@ -41,8 +41,8 @@ class ChainOfTurns {
     }
   }
 
-  /// The changes [rad] of least cost, by Gauss' elimination along the chain (Thomas 1949).
-  /// @param held do not change
+  /// The changes [rad] of least cost, by Gaussian elimination along the chain (Thomas 1949).
+  /// @param held turns that do not change
   /// @param damping [1/rad^2] of each change (Levenberg 1944)
   std::vector<double> least(const std::vector<bool>& held, double damping) const {
     const std::size_t count = slope_.size();
@@ -66,7 +66,7 @@ class ChainOfTurns {
  private:
   std::vector<double> slope_;
   std::vector<double> curve_;
-  std::vector<double> tie_;  // of each with the one before
+  std::vector<double> tie_;  // coupling of each with the one before
 };
 
 struct Trial {
@@ -74,7 +74,7 @@ struct Trial {
   std::vector<bool> held;
 };
 
-/// Makes the changes, or as much of each as is possible: what could not change all the way is held
+/// Makes the changes, or as much of each as is possible. A turn that could not change fully is held
 /// from then on.
 Trial changed(const SpinArm& arm, const std::vector<SpinNode>& nodes, const Trial& before,
               const std::vector<double>& changes) {
@@ -109,7 +109,7 @@ void refine_spin(const SpinArm& arm, const std::vector<SpinNode>& nodes, bool be
                  Spin& spin) {
   constexpr int kSteps = 40;             // chosen
   constexpr double kMostAtOnce = 0.5;    // [rad] chosen
-  constexpr double kLeastChange = 2e-3;  // [rad] smaller ones are not made; chosen
+  constexpr double kLeastChange = 2e-3;  // [rad] smaller ones end the search; chosen
   constexpr double kEnough = 1e-4;       // of the cost; chosen
   Trial best = {spin, std::vector<bool>(nodes.size(), false)};
   best.held.front() = begins_there;

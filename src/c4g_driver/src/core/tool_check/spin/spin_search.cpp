@@ -22,13 +22,13 @@ double turn_of(int cell) {
 struct Cell {
   bool reached = false;
   Joints joints;         // [rad] if reached
-  double cost = kNever;  // of the way to here
+  double cost = kNever;  // of the way up to here
   int before = -1;       // cell of the node before
 };
 
 using Row = std::array<Cell, kCells>;
 
-/// Fills what is not reached yet from the neighbours.
+/// Fills the cells not yet reached from their neighbours.
 void spread(Row& row, const SpinArm& arm, const SpinNode& node) {
   const auto reach = [&](int cell, int from) {
     Cell& taken = row[static_cast<std::size_t>(cell)];
@@ -44,7 +44,7 @@ void spread(Row& row, const SpinArm& arm, const SpinNode& node) {
     reach(cell, cell + 1);
 }
 
-/// A little, so that of turns that are equally good all along the path the nearest is taken.
+/// A small cost, so that the nearest is chosen of turns that are equally good along the whole path.
 double approach(const Joints& start, const Joints& joints, const SpinArm& arm) {
   constexpr double kWeight = 0.01;  // [1/s] chosen
   return kWeight * (joints - start).cwiseQuotient(arm.speed()).squaredNorm();

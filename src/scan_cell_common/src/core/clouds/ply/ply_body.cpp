@@ -43,7 +43,7 @@ void AsciiPlyBody::append(Value value, const PlyProperty& property, FieldedCloud
 void AsciiPlyBody::list(Value value, const PlyProperty& property,
                         std::vector<std::uint64_t>& numbers) const {
   numbers.clear();
-  const std::uint64_t length = *parse_count(*value);  // split() has seen it
+  const std::uint64_t length = *parse_count(*value);  // split() has checked it
   for (std::uint64_t i = 1; i <= length; ++i) {
     const std::optional<std::uint64_t> number = parse_count(value[i]);
     if (!number) {
@@ -114,7 +114,7 @@ const char* BinaryPlyBody::advance(std::uint64_t size, const PlyElement& element
   return place;
 }
 
-/// A negative number becomes one that no file holds, or no list of 127 in int8.
+/// A negative number becomes one larger than any file or, in int8, than any list of 127.
 std::uint64_t BinaryPlyBody::whole(const char* value, Scalar type) const {
   switch (type) {
     case Scalar::kInt8:

@@ -11,17 +11,16 @@
 
 namespace scan_cell_common {
 
-/// @throw FileError: of an element, only so many are there
+/// @throw FileError: the file has only this many of an element
 [[noreturn]] void refuse_truncated(const std::string& source, const PlyElement& element,
                                    std::uint64_t read);
 
-/// A header that promises more than the file can hold is refused before anything is made for it.
+/// Refuses a header that promises more than the file can hold, before any memory is allocated.
 /// @throw FileError
 void check_count(const PlyElement& element, std::size_t min_size, std::size_t left,
                  const std::string& source);
 
-/// What follows the header of an ASCII file. A value is the first of its words: of a list, its
-/// length.
+/// The body of an ASCII file. A value is its first word: for a list, its length.
 class AsciiPlyBody {
  public:
   using Value = const std::string_view*;
@@ -29,7 +28,7 @@ class AsciiPlyBody {
 
   AsciiPlyBody(LineReader& lines, const std::string& source) : lines_(lines), source_(source) {}
 
-  /// @param take gets the values of each of the element
+  /// @param take called with the values of each row of the element
   template <class Take>
   void read(const PlyElement& element, const Take& take) {
     check_count(element, 2 * element.properties.size(), lines_.left() + 1, source_);
@@ -43,7 +42,7 @@ class AsciiPlyBody {
   /// @throw FileError
   float number(Value value, const PlyProperty& property) const;
 
-  /// Appends the number to what the points carry.
+  /// Appends the number to the points' fields.
   /// @throw FileError
   void append(Value value, const PlyProperty& property, FieldedCloud& carried) const;
 
@@ -51,7 +50,7 @@ class AsciiPlyBody {
   /// @throw FileError
   void list(Value value, const PlyProperty& property, std::vector<std::uint64_t>& numbers) const;
 
-  /// @throw FileError if there is more
+  /// @throw FileError if more data follows
   void end();
 
  private:
@@ -64,7 +63,7 @@ class AsciiPlyBody {
   Values values_;
 };
 
-/// What follows the header of a binary file. A value is where it begins: of a list, its length.
+/// The body of a binary file. A value is a pointer to its start: for a list, to its length.
 class BinaryPlyBody {
  public:
   using Value = const char*;
@@ -98,7 +97,7 @@ class BinaryPlyBody {
   /// @throw FileError
   void list(Value value, const PlyProperty& property, std::vector<std::uint64_t>& numbers) const;
 
-  /// @throw FileError if there is more
+  /// @throw FileError if more data follows
   void end() const;
 
  private:

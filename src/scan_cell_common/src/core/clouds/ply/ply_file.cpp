@@ -58,9 +58,8 @@ std::optional<std::size_t> corners_of(const PlyElement& face) {
   return std::nullopt;
 }
 
-/// Goes through all elements, so that a truncated file is seen also where what is asked for is
-/// whole.
-/// @param take_vertex, take_face get the values of each, as the body has them
+/// Reads all elements, so that a truncated file is detected even if the requested part is whole.
+/// @param take_vertex, take_face called with the values of each, as the body returns them
 template <class Body, class TakeVertex, class TakeFace>
 void read_body(const PlyHeader& header, Body& body, const TakeVertex& take_vertex,
                const TakeFace& take_face) {
@@ -77,7 +76,7 @@ void read_body(const PlyHeader& header, Body& body, const TakeVertex& take_verte
   body.end();
 }
 
-/// The properties that a vertex carries besides x, y and z; their fields are added to the cloud.
+/// The properties of a vertex besides x, y and z; their fields are added to the cloud.
 std::vector<std::size_t> carried_properties(const PlyElement& vertex, FieldedCloud& carried) {
   std::vector<std::size_t> found;
   add_coordinates(carried);
@@ -150,7 +149,7 @@ pcl::PolygonMesh read_mesh(const PlyHeader& header, Body& body, const std::strin
   return mesh_of(vertices, std::move(polygons));
 }
 
-/// @param read gets the header and the body
+/// @param read called with the header and the body
 template <class Read>
 auto parse(std::string_view file, const std::string& source, const Read& read) {
   const std::string_view bytes = without_byte_order_mark(file);
@@ -191,7 +190,7 @@ std::size_t faces_of_ply(std::string_view header) {
       faces += element.name == "face" && corners_of(element) ? element.count : 0;
     return faces;
   } catch (const FileError&) {
-    return 0;  // whoever reads the file says what is wrong with it
+    return 0;  // reading the file says what is wrong with it
   }
 }
 

@@ -33,7 +33,7 @@ struct PlyHeader {
   std::vector<PlyElement> elements;
 };
 
-/// Reads up to and with the line end_header.
+/// Reads up to and including the line end_header.
 /// @throw FileError
 PlyHeader read_ply_header(LineReader& lines, const std::string& source);
 
