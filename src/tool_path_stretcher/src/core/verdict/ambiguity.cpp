@@ -98,16 +98,16 @@ std::vector<Mapping> slid_along_itself(const SurfacePair& surfaces, const Mappin
   const double size = surfaces.object.size;
   const Points probes = select(surfaces.reference.points, surfaces.reference.samples.few);
   const double most = kHopeless * misfit(surfaces, mapping);
-  std::vector<Mapping> result;
-  for (Similarity slid : slides(surfaces, mapping.similarity, kStep * size)) {
+  const std::vector<Similarity> starts = slides(surfaces, mapping.similarity, kStep * size);
+  return all_of<Mapping>(starts.size(), kSingly, [&](std::size_t i) -> std::optional<Mapping> {
+    Similarity slid = starts[i];
     for (const Density density : {Density::kFew, Density::kMany}) {
       slid = refine(surfaces, slid, scale, density, kIterations);
-      if (distance(slid, mapping.similarity, probes) < kBack * size) break;
-      if (misfit(surfaces, {slid, mapping.graph}) > most) break;
-      if (density == Density::kMany) result.push_back({slid, mapping.graph});
+      if (distance(slid, mapping.similarity, probes) < kBack * size) return {};
+      if (misfit(surfaces, {slid, mapping.graph}) > most) return {};
     }
-  }
-  return result;
+    return Mapping{slid, mapping.graph};
+  });
 }
 
 std::vector<Mapping> slid_and_bent(const SurfacePair& surfaces, const Mapping& mapping,
