@@ -82,7 +82,7 @@ void CloudBuilder::check(const BoundProfile& bound, const std::string& name) con
   if (profile.laser >= points_of_laser_.size()) {
     throw UnusableInput(
         name, fmt::format("laser {}", profile.laser),
-        fmt::format("the scanner model has {} lasers; scan with one at a time, or set "
+        fmt::format("the scanner model has {} laser(s); scan with one at a time, or set "
                     "the profile's laser",
                     points_of_laser_.size()));
   }
