@@ -129,7 +129,7 @@ TEST(ByReference, NothingExplainedIsRefusedWithThePlacesOfTheObjects) {
   expect_has(said, "isolate: reference: 'part.ply' explains none of 2 objects (");
   expect_has(said, "points about (0.08");
   expect_has(said, "points about (-0.10");
-  expect_has(said, "of the largest: nothing like it;");
+  expect_has(said, "for the largest: nothing like it;");
 }
 
 TEST(ByReference, TwoAlikeAreRefusedWithBothPlaces) {

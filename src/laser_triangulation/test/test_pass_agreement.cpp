@@ -157,8 +157,9 @@ TEST(PassAgreement, SaysOfWhichLaserNobodyKnowsHowWellItsPointsAreKnown) {
   for (const std::vector<double>& deviations : {std::vector<double>{kDeviation, 0}, {kDeviation}}) {
     const PassAgreement result = bring_together(passes.cloud, deviations);
     EXPECT_EQ(result.agreement, Agreement::kAgree);
-    EXPECT_NE(result.message.find("not corrected: the scanner model has no uncertainty of laser_1"),
-              std::string::npos)
+    EXPECT_NE(
+        result.message.find("not corrected: the scanner model has no uncertainty for laser_1"),
+        std::string::npos)
         << result.message;
   }
 }

@@ -73,7 +73,7 @@ void refuse_sentinel(const Cloud& cloud, double metres, const std::string& name)
   throw UnusableInput(
       name,
       fmt::format("{} of {} points have {} {:.7g}, away from all others: a scanner's number for "
-                  "nothing measured",
+                  "\"nothing measured\"",
                   found->points, cloud.size(), found->axis, in_file),
       fmt::format("drop them with --invalid {:.7g}, or cut them off by a limit", in_file));
 }
@@ -128,7 +128,7 @@ void check_input(const Cloud& cloud, const CleanParameters& parameters, const st
   throw UnusableInput(
       name,
       "in " + (unit.empty() ? "m" : unit) + " it is " + text_of(size) +
-          (too_small ? ", smaller than anything that is scanned" : ", no scan of a part"),
+          (too_small ? ", smaller than anything that is scanned" : ", not a scan of a part"),
       units.empty() ? "check its unit (--units m, if it is in metres)" : "give " + units);
 }
 

@@ -82,9 +82,9 @@ class Spacing {
 void describe(scan_cell_common::ParameterTable& table, OutlierParameters& parameters) {
   table.add("automatic", parameters.automatic, "statistical removal; false: limits only");
   table.add("neighbours", parameters.neighbours, {1, 200},
-            "nearest points whose mean distance is looked at");
+            "number of nearest points whose mean distance is judged");
   table.add("deviations", parameters.deviations, {0, 100},
-            "standard deviations above the mean that are still no outlier");
+            "up to this many standard deviations above the mean a point is not an outlier");
   describe(table, parameters.limits);
 }
 
@@ -94,7 +94,7 @@ OutlierRemoval::OutlierRemoval(const OutlierParameters& parameters) : parameters
 
 std::string OutlierRemoval::apply(TracedCloud& cloud) const {
   const std::string message = cut(cloud, parameters_.limits);
-  if (!parameters_.automatic) return message + "not looked for others";
+  if (!parameters_.automatic) return message + "outliers not searched for";
 
   Spacing spacing(cloud.cloud(), parameters_.neighbours);
   const double most = spacing.threshold(parameters_.deviations);

@@ -57,7 +57,8 @@ bool CleanNodelet::apply(std_srvs::Trigger::Request&, std_srvs::Trigger::Respons
     if (!latest_) return;
     const std::string failure = clean_and_publish(*latest_);
     if (!failure.empty())
-      throw scan_cell_common::Refused("latest cloud", "not clean with these parameters", failure);
+      throw scan_cell_common::Refused("latest cloud", "cannot be cleaned with these parameters",
+                                      failure);
   });
 }
 

@@ -14,7 +14,7 @@ namespace cloud_preprocess {
 
 void describe(scan_cell_common::ParameterTable& table, TargetFrame& target) {
   table.add("target_frame", target.frame,
-            "clouds in another frame are brought into this one by tf, at their stamp, before the "
+            "clouds in another frame are transformed into this one by tf at their stamp before the "
             "stage; empty: each cloud stays in its frame");
   table.add("transform_timeout", target.timeout, {0, 60, "s"},
             "how long to wait for that transform");

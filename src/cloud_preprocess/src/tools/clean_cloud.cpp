@@ -79,7 +79,7 @@ void add_limits(CLI::App& app, YAML::Node& root) {
     std::replace(name.begin(), name.end(), '-', '_');
     app.add_option_function<double>(
         "--" + limit, [&root, stage, name](double value) { root[stage][name] = value; },
-        "limit by hand in the stage " + stage + " [m, whatever the files' unit]");
+        "limit set by hand in the stage " + stage + " [m, whatever the files' unit]");
   }
 }
 
@@ -95,7 +95,7 @@ void add_isolation(CLI::App& app, YAML::Node& root) {
   app.add_option_function<std::string>(
          "--reference-units",
          [&root](const std::string& units) { root["isolate"]["reference_units"] = units; },
-         "of the reference; without it those of --units")
+         "unit of the reference; without it that of --units")
       ->check(CLI::IsMember(scan_cell_common::length_units()));
   app.add_option_function<std::string>(
          "--isolate",
@@ -253,20 +253,20 @@ void add_files(CLI::App& app, Options& options, scan_cell_common::Outputs& outpu
            "clean cloud (.ply, .pcd); only written if all went well")
       ->required();
   app.add_option("--units", options.units,
-                 "of both files; without it metres, and the size is looked at")
+                 "unit of both files; without it metres, and the size is checked")
       ->check(is_unit);
-  app.add_option("--output-units", options.output_units, "of the output, if others")
+  app.add_option("--output-units", options.output_units, "unit of the output, if different")
       ->check(is_unit);
   app.add_option("--invalid", options.format.invalid,
-                 "number that stands for nothing measured: points with it are dropped; may be "
+                 "number that means \"nothing measured\": points with it are dropped; may be "
                  "repeated [unit of the file]")
       ->take_all()
       ->allow_extra_args(false);
   app.add_option("--column-step", options.format.column_step,
-                 "the input is depth profiles, one a line: from column to column [unit of the "
+                 "the input is depth profiles, one per line: distance between columns [unit of the "
                  "file]");
   app.add_option("--profile-step", options.format.profile_step,
-                 "and from line to line [unit of the file]");
+                 "depth profiles: distance between lines [unit of the file]");
 }
 
 }  // namespace

@@ -113,7 +113,7 @@ TEST(CloudEditsInAList, AreDoneOneAfterTheOtherAndTheSourceIsTold) {
   CloudEdits({{true, above}, {false, right}}).run(cloud, report);
   const std::size_t side = 2 * kHalf + 1;
   EXPECT_EQ(cloud.cloud().size(), std::size_t{kHalf} * side * (kHalf + 1));
-  EXPECT_EQ(report.message, "keep plane: 33620 went, delete plane: 18081 went");
+  EXPECT_EQ(report.message, "keep plane: 33620 points removed, delete plane: 18081 points removed");
   const Cloud source = lattice();
   for (std::size_t i = 0; i < cloud.cloud().size(); ++i)
     ASSERT_EQ(cloud.cloud()[i].getVector3fMap(), source[cloud.sources()[i]].getVector3fMap());

@@ -25,10 +25,10 @@ constexpr double kMaxDeviations = 3;  // of a motion along each axis (99.7 %); c
 std::string why_not_mended(const std::vector<Sweep>& sweeps,
                            const std::vector<double>& deviations) {
   if (sweeps.size() > kMaxMended)
-    return fmt::format("{} sweeps are more than {}", sweeps.size(), kMaxMended);
+    return fmt::format("{} sweeps, at most {} can be corrected", sweeps.size(), kMaxMended);
   for (const Sweep& sweep : sweeps) {
     if (sweep.laser < deviations.size() && deviations[sweep.laser] > 0) continue;
-    return "the scanner model has no uncertainty of " + scan_cell_common::laser_name(sweep.laser);
+    return "the scanner model has no uncertainty for " + scan_cell_common::laser_name(sweep.laser);
   }
   return "";
 }

@@ -82,7 +82,7 @@ void CloudBuilder::check(const BoundProfile& bound, const std::string& name) con
   if (profile.laser >= points_of_laser_.size()) {
     throw UnusableInput(
         name, fmt::format("laser {}", profile.laser),
-        fmt::format("the scanner model has {}; scan with one laser at a time, or set "
+        fmt::format("the scanner model has {} laser(s); scan with one at a time, or set "
                     "the profile's laser",
                     points_of_laser_.size()));
   }
@@ -203,7 +203,7 @@ std::string CloudBuilder::summary() const {
   text << counts.points << " points from " << counts.profiles
        << " profiles; rows without a peak: " << counts.rows_without_peak
        << "; rejected by width: " << counts.by_width << ", by intensity: " << counts.by_intensity
-       << ", by range: " << counts.by_range << ", outside of the sensor: " << counts.outside_sensor;
+       << ", by range: " << counts.by_range << ", outside the sensor: " << counts.outside_sensor;
   return text.str();
 }
 

@@ -167,7 +167,8 @@ void TriangulationServices::fill(const CloudBuilder& scan, const FinishCloud::Re
   if (failure_.empty() && request.partial == 0) failure_ = scan.find_dark_sweep();
   response.success = failure_.empty();
   response.message = response.success ? scan.summary() : failure_;
-  if (!response.file.empty()) response.message += "; too many for a message: " + response.file;
+  if (!response.file.empty())
+    response.message += "; too many for a message, written to " + response.file;
   const bool apart = last_.agreement == scan_cell_msgs::CloudStatistics::DISAGREE;
   if (response.success && response.file.empty() && !request.partial && !apart)
     whole_cloud_.publish(response.cloud);

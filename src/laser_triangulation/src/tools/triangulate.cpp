@@ -56,7 +56,7 @@ int triangulate(const Options& options) {
     std::cout << line << '\n';
   if (statistics.agreement != scan_cell_msgs::CloudStatistics::DISAGREE) return 0;
   std::cerr << "triangulate: the passes disagree; " << options.output
-            << " has them as they were captured\n";
+            << " contains them as captured\n";
   return scan_cell_common::kRefused;
 }
 
@@ -67,10 +67,10 @@ int main(int argc, char** argv) {
   CLI::App app("Turns the bound profiles of a bag (bind_bag makes one) into a cloud");
   Options options;
   app.add_option("--bag", options.bag, "bag with bound profiles")->required();
-  app.add_option("--topic", options.topic, "their topic")->capture_default_str();
+  app.add_option("--topic", options.topic, "topic of the bound profiles")->capture_default_str();
   app.add_option("--scanner", options.scanner, "scanner model, YAML")->required();
   outputs.add(app, "--output", options.output, "cloud to write, PLY")->required();
-  app.add_option("--units", options.units, "of x, y, z in the cloud")
+  app.add_option("--units", options.units, "unit of x, y, z in the cloud")
       ->check(CLI::IsMember(scan_cell_common::length_units()))
       ->capture_default_str();
   options.typed.add(app, options.limits);

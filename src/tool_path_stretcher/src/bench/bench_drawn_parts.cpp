@@ -90,10 +90,11 @@ void print_draws(const Draws& draws) {
 int main(int argc, char** argv) {
   CLI::App app("Verdicts on parts drawn at random: symmetric, with a hole that tells, mirrored.");
   Draws draws;
-  app.add_option("--count", draws.count, "of each kind");
+  app.add_option("--count", draws.count, "number of parts of each kind");
   app.add_option("--first", draws.first, "number of the first draw");
-  app.add_option("--kind", draws.kind, "only the kinds whose name holds this");
-  app.add_flag("--other-shapes", draws.other_shapes, "of shapes that nothing was tried on");
+  app.add_option("--kind", draws.kind, "only the kinds whose name contains this");
+  app.add_flag("--other-shapes", draws.other_shapes,
+               "draw shapes that were not used in development");
   return scan_cell_common::tool_main("bench_drawn_parts", app, argc, argv, [&] {
     print_draws(draws);
     return 0;

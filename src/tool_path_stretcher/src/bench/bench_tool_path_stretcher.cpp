@@ -45,7 +45,7 @@ int main(int argc, char** argv) {
   std::string word, folder;
   std::size_t growth_of = 0;
   bool only_registration = false, only_growth = false, reduced = false, only_ours = false;
-  app.add_option("--cases", word, "only the cases whose name holds this");
+  app.add_option("--cases", word, "only the cases whose name contains this");
   app.add_flag("--only-ours", only_ours, "the cases without the yardsticks beside them");
   app.add_option("--write", folder, "write clouds and path of the first such case here instead");
   app.add_option("--growth-of", growth_of, "only this size of the growth, in this process");
@@ -66,7 +66,7 @@ int main(int argc, char** argv) {
       return 0;
     }
     if (data.empty()) {
-      std::printf("Without the real parts: SCAN_CELL_DATA names no folder that holds parts/\n");
+      std::printf("Without the real parts: SCAN_CELL_DATA does not name a folder with parts/\n");
     }
     if (!only_registration && !only_growth) bench::print_case_table(chosen, !only_ours);
     if (word.empty() && !only_growth) bench::print_registration(data);

@@ -127,7 +127,7 @@ void print_bunny(const std::string& data) {
 void print_registration(const std::string& data) {
   if (!cases::has_registration_data(data)) {
     std::printf(
-        "\nNot run: car and bunny; SCAN_CELL_DATA names no folder that holds registration/\n");
+        "\nNot run: car and bunny; SCAN_CELL_DATA does not name a folder with registration/\n");
     return;
   }
   print_car(data);

@@ -100,7 +100,7 @@ MappingError error_of(const SurfacePair& surfaces, const Mapping& mapping, const
     return {surfaces, mapping, prior};
   } catch (const UnheldMapping& error) {
     refuse(Reason::kPositionUncertain, "adapted path",
-           std::string("how far off it may be cannot be told: ") + error.what(),
+           std::string("its expected error cannot be computed: ") + error.what(),
            "scan more of the part, or give the scale or the initial pose");
   }
 }
@@ -163,8 +163,8 @@ std::vector<Candidate> Adaptation::search() {
       find_candidates(surfaces_, prior, partial_, stages_.within("align", 0.05, 0.5));
   if (candidates.empty()) {
     refuse_wrong_part(prior.pose || prior.scale.is_known()
-                          ? "no pose of the reference fits it with the scale and the initial "
-                            "pose given, as far as they may be off"
+                          ? "no pose of the reference fits it within the limits of the given "
+                            "scale and initial pose"
                           : "no pose of the reference fits the object at all");
   }
   return candidates;
@@ -185,8 +185,7 @@ void Adaptation::put_registration_first(std::vector<Fitted>& fitted) const {
       register_as_thesis(surfaces_, parameters_, stages_.within("register", 0.7, 0.9));
   if (!parameters_.prior.allows(registration, centroid_)) {
     refuse_wrong_part(
-        "the registration ended farther from the initial pose or the known scale "
-        "than they may be off");
+        "the registration ended outside the limits of the initial pose or the known scale");
   }
   const Fitted registered = explained({registration, {}});
   check_registration(surfaces_, registered, fitted);

@@ -131,7 +131,7 @@ class PartSearch {
   std::string too_little(double overlap) const {
     return fmt::format(
         "it shows {:.3g} % of what could be seen of the reference; {:.3g} % are needed "
-        "to be sure that it is its part",
+        "to be sure that it is the same part",
         100 * overlap, 100 * sure_share(reference_));
   }
 

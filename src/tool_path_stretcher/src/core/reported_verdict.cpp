@@ -24,7 +24,8 @@ Similarity similarity_of(const json& rows) {
   }
   const Eigen::Matrix3d scaled = matrix.topLeftCorner<3, 3>();
   const double scale = std::cbrt(scaled.determinant());
-  if (!(scale > 0)) throw scan_cell_common::UnusableInput("transform", "turns inside out", "");
+  if (!(scale > 0))
+    throw scan_cell_common::UnusableInput("transform", "mirrored, or of scale 0", "");
   return {scale, scaled / scale, matrix.topRightCorner<3, 1>()};
 }
 

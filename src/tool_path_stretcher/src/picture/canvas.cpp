@@ -98,8 +98,8 @@ void Canvas::save(const std::string& path) const {
     written = false;  // an extension that OpenCV does not know
   }
   if (!written) {
-    throw scan_cell_common::FileError(path, "cannot be written",
-                                      "give a place that is yours and a name ending in .png");
+    throw scan_cell_common::FileError(
+        path, "cannot be written", "give a folder that you may write to and a name ending in .png");
   }
 }
 

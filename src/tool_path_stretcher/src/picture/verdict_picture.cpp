@@ -269,7 +269,7 @@ void save_picture(const std::string& file, const PictureInput& input) {
   if (input.overlay && !aligned) {
     throw scan_cell_common::UnusableInput(
         "report", "no pose was found",
-        "leave --overlay out: nothing lays the reference on the object");
+        "leave --overlay out: it needs a pose of the reference on the object");
   }
   const Layout layout = lay_out(input);
   Canvas canvas(kWidth, kHeight);

@@ -71,7 +71,7 @@ void check_same_files(const ReportedVerdict& verdict, const PictureFiles& files)
   check_same(files.path, verdict.path, "tool path");
   if (files.adapted.empty()) return;
   if (!verdict.accepted) {
-    throw UnusableInput(files.adapted, "an adapted path beside a report that refuses",
+    throw UnusableInput(files.adapted, "an adapted path, but the report is of a refused one",
                         "leave --adapted out");
   }
   check_same(files.adapted, verdict.output, "adapted path");

@@ -31,7 +31,7 @@ struct Options {
 TopoDS_Shape read_step(const std::string& path) {
   STEPControl_Reader reader;
   if (reader.ReadFile(path.c_str()) != IFSelect_RetDone)
-    throw FileError(path, "no STEP file that can be read", "check it, or export the part again");
+    throw FileError(path, "not a readable STEP file", "check it, or export the part again");
   reader.TransferRoots();
   const TopoDS_Shape shape = reader.OneShape();
   if (shape.IsNull())
@@ -68,7 +68,8 @@ void add_options(CLI::App& app, Options& options, scan_cell_common::Outputs& out
         const bool is_stl = path.size() > 4 && path.substr(path.size() - 4) == ".stl";
         return is_stl ? "" : path + ": give a name that ends in .stl";
       });
-  app.add_option("--deviation", options.deviation, "of the mesh from the part, at most [mm]")
+  app.add_option("--deviation", options.deviation,
+                 "largest deviation of the mesh from the part [mm]")
       ->capture_default_str()
       ->check(CLI::Range(1e-4, 10.0));
 }

@@ -29,9 +29,10 @@ tool_paths::PathConventions FileOptions::path_conventions() const {
 void add_file_options(CLI::App& app, FileOptions& options) {
   app.add_option("--units", options.units,
                  "lengths in the files: m, mm or inch; all other options and the report are in m");
-  app.add_option("--reference-units", options.reference_units, "of the reference, if others");
-  app.add_option("--object-units", options.object_units, "of the object, if others");
-  app.add_option("--path-units", options.path_units, "of the tool paths, if others");
+  app.add_option("--reference-units", options.reference_units,
+                 "unit of the reference, if different");
+  app.add_option("--object-units", options.object_units, "unit of the object, if different");
+  app.add_option("--path-units", options.path_units, "unit of the tool paths, if different");
   add_path_options(app, options.path);
 }
 

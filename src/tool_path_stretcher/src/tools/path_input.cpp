@@ -133,14 +133,15 @@ void add_program_options(CLI::App& app, ProgramOptions& options) {
   app.add_option("--no-motion", options.no_motion,
                  "routines that the program calls, and that do not move the robot");
   app.add_option("--frame", options.frames,
-                 "place of a frame that the program names, in the robot's base: "
+                 "pose of a frame that the program names, in the robot's base: "
                  "NAME=x,y,z,qx,qy,qz,qw [m]");
-  app.add_option("--dialect", options.dialect, "of the program (docs/robot_programs.md)");
+  app.add_option("--dialect", options.dialect, "dialect of the program (docs/robot_programs.md)");
   app.add_flag("--program-in-base", options.in_base,
                "the reference is in the robot's base, not in the program's user frame");
-  app.add_option("--arc-tolerance", options.arc_tolerance,
-                 "[m] of an arc of the program from the adapted path; what is farther off becomes "
-                 "lines")
+  app.add_option(
+         "--arc-tolerance", options.arc_tolerance,
+         "largest distance of an arc of the program from the adapted path [m]; an arc farther "
+         "off becomes lines")
       ->check(CLI::NonNegativeNumber);
 }
 

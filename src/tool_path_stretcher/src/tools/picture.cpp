@@ -33,17 +33,18 @@ void add_options(CLI::App& app, Options& options, scan_cell_common::Outputs& out
       ->required();
   app.add_option("--object", options.object, "scanned object: PLY, PCD, XYZ or CSV")->required();
   app.add_option("--path", options.path, "tool path on the reference: CSV or YAML")->required();
-  app.add_option("--report", options.report, "what stretch wrote: JSON")->required();
-  app.add_option("--adapted", options.adapted, "tool path on the object, where it was accepted");
+  app.add_option("--report", options.report, "report of stretch: JSON")->required();
+  app.add_option("--adapted", options.adapted, "tool path on the object, if it was accepted");
   outputs.add(app, "--output", options.output, "picture: PNG")->required();
   add_file_options(app, options.files);
   app.add_option("--leaf", options.leaf, "grid reduction x y z [m]")
       ->capture_default_str()
       ->expected(3);
   app.add_flag("--overlay", options.overlay,
-               "the reference over the object, where the similarity puts it, not beside it");
-  app.add_option("--azimuth", options.azimuth, "of the eye about z [deg]")->capture_default_str();
-  app.add_option("--elevation", options.elevation, "of the eye over the x-y plane [deg]")
+               "draw the reference over the object, where the similarity puts it, not beside it");
+  app.add_option("--azimuth", options.azimuth, "of the viewpoint about z [deg]")
+      ->capture_default_str();
+  app.add_option("--elevation", options.elevation, "of the viewpoint above the x-y plane [deg]")
       ->capture_default_str();
 }
 

@@ -120,7 +120,7 @@ TEST_F(CleanCloudByReference, RefusesWhatTheReferenceDoesNotExplain) {
 
 TEST_F(CleanCloudByReference, RefusesBadOptionsByName) {
   EXPECT_EQ(clean("scan.ply", "--isolate reference"), 1);
-  expect_said("isolate.reference: none; give the file of the part to look for");
+  expect_said("isolate.reference: not set; give the file of the part to look for");
   EXPECT_EQ(clean("scan.ply", "--isolate largest --reference " + file("reference.ply")), 1);
   expect_said("leave it out, or give --isolate reference");
   EXPECT_EQ(clean("scan.ply", "--reference " + file("lost.ply")), 1);

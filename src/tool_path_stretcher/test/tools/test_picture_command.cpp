@@ -226,7 +226,7 @@ TEST_F(PictureCommand, RefusesWhatDoesNotFitTheFiguresOfAReportWithoutFiles) {
 TEST_F(PictureCommand, RefusesAnAdaptedPathBesideARefusal) {
   write_report("refused", {1});
   EXPECT_EQ(run("--adapted " + file("path.csv")), 1);
-  EXPECT_NE(complaint().find("a report that refuses"), std::string::npos) << complaint();
+  EXPECT_NE(complaint().find("the report is of a refused one"), std::string::npos) << complaint();
 }
 
 TEST_F(PictureCommand, RefusesABadEndingBeforeTheWork) {

@@ -125,8 +125,8 @@ TEST(PathEdits, WhatThePathHasNoPlaceForIsRefusedWithTheEditsNumber) {
   ToolPath plain = two_segments();
   plain.has_orientation = false;
   EXPECT_TRUE(names(complaint_of_edits({move}, plain), "frame: path"));
-  EXPECT_TRUE(
-      names(complaint_of_edits({TurnEdit{{0, 0}, {0, 0, 1}, 1}}, plain), "without orientations"));
+  EXPECT_TRUE(names(complaint_of_edits({TurnEdit{{0, 0}, {0, 0, 1}, 1}}, plain),
+                    "path has no orientations"));
   EXPECT_TRUE(names(complaint_of_edits({MoveEdit{{0, 0}, {0, 0, INFINITY}}}), "not finite"));
 }
 

@@ -20,8 +20,8 @@ std::string CloudEdits::apply(TracedCloud& cloud) const {
     const std::vector<bool> in =
         std::visit([&](const auto& shape) { return points_in(cloud.cloud(), shape); }, edit.shape);
     const std::size_t gone = cloud.keep_if([&](std::size_t i) { return in[i] == edit.keep; });
-    said += fmt::format("{}{} {}: {} went", said.empty() ? "" : ", ", edit.keep ? "keep" : "delete",
-                        name_of(edit), gone);
+    said += fmt::format("{}{} {}: {} points removed", said.empty() ? "" : ", ",
+                        edit.keep ? "keep" : "delete", name_of(edit), gone);
     if (cloud.cloud().empty())
       throw scan_cell_common::UnusableInput(
           fmt::format("edit {} ({} {})", number + 1, edit.keep ? "keep" : "delete", name_of(edit)),

@@ -25,8 +25,7 @@ std::vector<Eigen::Vector3d> places(const YamlEntry& list, std::size_t least) {
   for (const YamlEntry& entry : list.elements())
     all.push_back(entry.vector<3>());
   if (all.size() < least)
-    list.refuse(std::to_string(all.size()) + " places",
-                "give " + std::to_string(least) + " at least");
+    list.refuse(std::to_string(all.size()) + " places", "give at least " + std::to_string(least));
   return all;
 }
 

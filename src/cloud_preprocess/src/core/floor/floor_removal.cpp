@@ -114,7 +114,7 @@ std::optional<Plane> floor_of(const OrientedPoints& sample, const FloorParameter
 void describe(scan_cell_common::ParameterTable& table, FloorParameters& parameters) {
   table.add("automatic", parameters.automatic, "look for the floor; false: limits only");
   table.add("margin", parameters.margin, {0, 1, "m"},
-            "points up to this above the floor go with it");
+            "points up to this height above the floor are removed with it");
   table.add("distance", parameters.distance, {1e-5, 0.1, "m"},
             "how far points of the floor may lie from its plane");
   table.add("up", parameters.up, {-1e3, 1e3},
@@ -123,13 +123,14 @@ void describe(scan_cell_common::ParameterTable& table, FloorParameters& paramete
   if (parameters.up.norm() < kLeast)
     table.refuse("up", text_of(parameters.up), "give the direction away from the floor: 0, 0, 1");
   table.add("any_direction", parameters.any_direction,
-            "true: look for a table in any direction, and along `up` where there is none");
+            "true: look for a table in any direction, and along `up` if there is none");
   table.add("tilt", parameters.tilt, {1e-3, 0.7, "rad"},
             "how far the floor's normal may lean from `up`");
-  table.add("min_share", parameters.min_share, {1e-3, 1}, "of all points, that a floor must have");
+  table.add("min_share", parameters.min_share, {1e-3, 1},
+            "share of all points that a floor must have");
   table.renamed("least_share", "min_share");
   table.add("max_below", parameters.max_below, {0, 0.5},
-            "of all points, that may lie below a floor");
+            "share of all points that may lie below a floor");
   table.renamed("most_below", "max_below");
   describe(table, parameters.limits);
 }
@@ -141,7 +142,7 @@ FloorRemoval::FloorRemoval(const FloorParameters& parameters) : parameters_(para
 std::string FloorRemoval::apply(TracedCloud& cloud) const {
   const bool is_cut = cuts_floor(cloud.cloud(), parameters_.limits, parameters_.up);
   const std::string message = cut(cloud, parameters_.limits);
-  if (!parameters_.automatic) return message + "not looked for a floor";
+  if (!parameters_.automatic) return message + "floor not searched for";
 
   const OrientedPoints sample = sample_with_normals(cloud.cloud());
   const std::optional<Plane> floor = floor_of(sample, parameters_, is_cut);

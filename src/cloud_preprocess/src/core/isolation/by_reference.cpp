@@ -52,8 +52,8 @@ std::string text_of(const Cloud& cloud, const PointIndices& points) {
   for (std::size_t i = 0; i < std::min(kMost, objects.size()); ++i)
     places += (i == 0 ? "" : ", ") + text_of(cloud, objects[i]);
   throw UnusableInput("reference",
-                      fmt::format("'{}' explains none of {} objects ({}); of the largest: {}", file,
-                                  objects.size(), places, why),
+                      fmt::format("'{}' explains none of {} objects ({}); for the largest: {}",
+                                  file, objects.size(), places, why),
                       "scan the part of this reference, or set isolate/select to largest, nearest "
                       "or index");
 }
@@ -65,7 +65,7 @@ std::string text_of(const Cloud& cloud, const PointIndices& points) {
     places += (places.empty() ? "" : " and ") + text_of(cloud, each.explained);
   throw UnusableInput(
       "reference", fmt::format("'{}' explains {} objects: {}", file, found.size(), places),
-      "cut all but one off by limits, or set isolate/select to nearest (with isolate/point) or "
+      "cut off all but one by limits, or set isolate/select to nearest (with isolate/point) or "
       "index");
 }
 

@@ -60,7 +60,7 @@ std::string keep_by_reference(TracedCloud& cloud, const Found& found,
   const std::size_t removed = cloud.keep_if([&](std::size_t i) { return chosen.kept[i]; });
   return fmt::format(
       "what '{}' explains kept{}, with {} points over it or less than {:g} mm beside it; {} points "
-      "of others and of no object removed",
+      "of other objects or of no object removed",
       parameters.reference, text_of_joined(found.joined), chosen.beside, parameters.gap * 1e3,
       removed);
 }
@@ -101,7 +101,7 @@ void describe(scan_cell_common::ParameterTable& table, IsolationParameters& para
   table.choice("select", parameters.select, {"all", "largest", "nearest", "index", "reference"},
                "the object to keep; all: limits only");
   table.add("gap", parameters.gap, {1e-4, 1, "m"}, "objects are at least about this far apart");
-  table.add("min_points", parameters.min_points, {1, 1e9}, "fewer are no object");
+  table.add("min_points", parameters.min_points, {1, 1e9}, "fewer points are not an object");
   table.renamed("least_points", "min_points");
   table.add("across_shadows", parameters.across_shadows,
             "pieces between which the floor was not seen are one object, if a shadow can reach "
@@ -109,13 +109,13 @@ void describe(scan_cell_common::ParameterTable& table, IsolationParameters& para
   table.add("point", parameters.point, {-1e3, 1e3, "m"}, "`nearest`: the object nearest to this");
   table.choice("axis", parameters.axis, {"x", "y", "z"},
                "`index`: objects are counted along it, by the middle of their extent");
-  table.add("index", parameters.index, {0, 1e6}, "`index`: which of them, the first is 0");
+  table.add("index", parameters.index, {0, 1e6}, "`index`: number of the object; the first is 0");
   table.add("reference", parameters.reference,
             "`reference`: file of the part to look for, a cloud or a mesh");
   table.choice("reference_units", parameters.reference_units, scan_cell_common::length_units(),
-               "`reference`: of that file");
+               "`reference`: unit of that file");
   if (parameters.select == Selection::kReference && parameters.reference.empty())
-    table.refuse("reference", "none", "give the file of the part to look for");
+    table.refuse("reference", "not set", "give the file of the part to look for");
   describe(table, parameters.limits);
 }
 
@@ -135,8 +135,9 @@ std::string ObjectIsolation::apply(TracedCloud& cloud) const {
     return message + keep_by_reference(cloud, found, parameters_);
   const Object& object = found.objects[choose(found.objects, found.grid.means, parameters_)];
   const std::size_t removed = keep(cloud, found.grid, object);
-  return fmt::format("{}one of {} objects kept{}, {} points of others and of no object removed",
-                     message, found.objects.size(), text_of_joined(found.joined), removed);
+  return fmt::format(
+      "{}one of {} objects kept{}, {} points of other objects or of no object removed", message,
+      found.objects.size(), text_of_joined(found.joined), removed);
 }
 
 std::vector<TracedCloud> ObjectIsolation::objects(TracedCloud cloud,

@@ -60,7 +60,7 @@ std::vector<Object> find_objects(const GridCells& grid, double gap, int min_poin
   }
   if (objects.empty()) {
     throw UnusableInput("objects",
-                        fmt::format("none of {} points, the largest has {}", min_points, largest),
+                        fmt::format("none has {} points, the largest has {}", min_points, largest),
                         "set a larger gap or smaller min_points");
   }
   return objects;

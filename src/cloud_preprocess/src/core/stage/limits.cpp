@@ -15,7 +15,8 @@ namespace {
 
 void describe_axis(scan_cell_common::ParameterTable& table, const std::string& axis, double& min,
                    double& max) {
-  const std::string meaning = "limit by hand, in the cloud's frame, cut before all else";
+  const std::string meaning =
+      "limit set by hand, in the cloud's frame; applied before anything else";
   table.add(axis + "_min", min, {-Limits::kNone, Limits::kNone, "m"}, meaning);
   table.add(axis + "_max", max, {-Limits::kNone, Limits::kNone, "m"}, meaning);
   if (min < max) return;

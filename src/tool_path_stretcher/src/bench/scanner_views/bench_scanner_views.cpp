@@ -25,7 +25,7 @@ struct Options {
 std::vector<ViewCase> chosen_cases(const Options& options) {
   const char* const data = std::getenv("SCAN_CELL_DATA");
   if (data == nullptr)
-    std::printf("Without the real parts: SCAN_CELL_DATA names no folder that holds parts/\n\n");
+    std::printf("Without the real parts: SCAN_CELL_DATA does not name a folder with parts/\n\n");
   std::vector<ViewCase> chosen;
   for (ViewCase& each : all_cases(options.seed, data == nullptr ? "" : data)) {
     if ((each.family + ": " + each.name()).find(options.cases) != std::string::npos)
@@ -75,7 +75,7 @@ int main(int argc, char** argv) {
   CLI::App app("Figures of the stretcher on parts as a line scanner sees them.");
   Options options;
   app.add_option("--seed", options.seed, "draws other dimensions, poses, views and paths");
-  app.add_option("--cases", options.cases, "only the cases whose family and name hold this");
+  app.add_option("--cases", options.cases, "only the cases whose family and name contain this");
   app.add_option("--yardsticks-every", options.yardsticks_every,
                  "run them in one of so many cases: they take several times as long as the rest")
       ->check(CLI::PositiveNumber)

@@ -31,10 +31,10 @@ std::vector<double> numbers_of(const std::optional<PosePrior>& prior) {
 
 void describe(ParameterTable& table, ScalePrior& scale) {
   table.add("scale", scale.value, {0.01, 100, "", Also::kZero},
-            "known before; 0: free, it is searched");
+            "known scale; 0: unknown, it is searched");
   table.add("scale_deviation", scale.deviation, {0, 10},
-            "of the known scale: one standard deviation, more than four of them are refused; 0: "
-            "the scale is exact");
+            "standard deviation of the known scale; a scale more than four of them off is "
+            "refused; 0: the scale is exact");
   if (scale.value == 0 && scale.deviation != 0) {
     table.refuse("scale_deviation", fmt::format("{:g}", scale.deviation),
                  "give the scale it belongs to as well");
@@ -45,42 +45,44 @@ void describe(ParameterTable& table, std::optional<PosePrior>& prior) {
   std::vector<double> numbers = numbers_of(prior);
   PosePrior pose = prior.value_or(PosePrior());
   table.add("initial_pose", numbers, {-1e3, 1e3, "m"},
-            "known before: reference to object, x y z qx qy qz qw", 7);
-  table.add(
-      "initial_pose_angle", pose.angle, {1e-6, M_PI, "rad"},
-      "farthest that the rotation of `initial_pose` may be off; poses beyond are not searched");
+            "known pose, reference to object: x y z qx qy qz qw", 7);
+  table.add("initial_pose_angle", pose.angle, {1e-6, M_PI, "rad"},
+            "largest error of the rotation in `initial_pose`; poses farther off are not searched");
   table.add("initial_pose_distance", pose.distance, {1e-6, 100, "m"},
-            "farthest that `initial_pose` may put the reference's centroid off");
+            "largest error of `initial_pose` at the reference's centroid");
   if (numbers.empty()) return;
   pose.pose = pose_from_numbers(numbers);
   prior = pose;
 }
 
 void describe_size(ParameterTable& table, StretchParameters& p) {
-  table.add("min_scale", p.min_scale, {0.01, 100}, "below: SCALE_AT_BOUND");
-  table.add("max_scale", p.max_scale, {0.01, 100}, "above: SCALE_AT_BOUND");
+  table.add("min_scale", p.min_scale, {0.01, 100}, "a smaller scale is refused: SCALE_AT_BOUND");
+  table.add("max_scale", p.max_scale, {0.01, 100}, "a larger scale is refused: SCALE_AT_BOUND");
   if (p.max_scale < p.min_scale)
     table.refuse("max_scale", fmt::format("{:g}", p.max_scale), "give min_scale or more");
   table.add(
       "scale_range", p.scale_range, {0.001, 0.9},
-      "affine, thesis_affine: searched about the initial scale, 0.15 = +-15 % (r in the thesis)");
+      "affine, thesis_affine: range searched around the initial scale, 0.15 = +-15 % (r in the "
+      "thesis)");
   table.add("scale_steps", p.scale_steps, {1, 1000},
-            "affine, thesis_affine: to each side (k in the thesis)");
+            "affine, thesis_affine: steps to each side (k in the thesis)");
 }
 
 void describe_input(ParameterTable& table, StretchParameters& p) {
-  table.add("min_points", p.min_points, {50, 1e9}, "of each surface after the grid reduction");
+  table.add("min_points", p.min_points, {50, 1e9},
+            "fewest points of each surface after the grid reduction");
   table.add("max_stand_off", p.max_stand_off, {0, 10, "m"},
-            "farthest that a segment may be led over the surface (the median of its waypoints); "
-            "what is led farther off is in the air");
+            "largest distance at which a segment may be led over the surface (median of its "
+            "waypoints); a segment led farther off is in the air");
   table.renamed("max_path_distance", "max_stand_off");
   table.add("inlier_distance", p.inlier_distance, {1e-6, 1, "m"},
-            "of a point that counts as explained");
+            "largest distance of a point that counts as explained");
   table.add("min_inlier_ratio", p.min_inlier_ratio, {0, 1},
-            "of the object's points; where the reference shows only a part of it, 95 % of those "
-            "that it reaches");
+            "share of the object's points that the reference must explain; if the reference "
+            "shows only a part of the object, 95 % of those that it reaches");
   table.add("min_overlap", p.min_overlap, {0, 1},
-            "of the reference's points, or of those of them that a scan from there can show");
+            "share of the reference's points that the scan must show, or of those that a scan "
+            "from its side can show");
   table.add("ambiguity_distance", p.ambiguity_distance, {1e-6, 10, "m"},
             "two poses differ if they put a waypoint this far apart");
 }
@@ -88,31 +90,34 @@ void describe_input(ParameterTable& table, StretchParameters& p) {
 void describe_deformation(ParameterTable& table, StretchParameters& p) {
   table.add("deformation_level", p.deformation_level, {0, 3}, "finest deformation graph; 0: none");
   table.add("support_radius", p.support_radius, {0, 1, "m"},
-            "of the points a waypoint is set on; 0: three spacings of the scan");
+            "radius of the scanned points that a waypoint is set on; 0: three spacings of the "
+            "scan");
   table.add("min_support", p.min_support, {4, 10000},
-            "points; with fewer the waypoint is inferred and flagged");
+            "with fewer points a waypoint is inferred and flagged");
   table.add("max_hole_distance", p.max_hole_distance, {0, 1, "m"},
-            "from the scan, up to which a waypoint is inferred (at least three spacings); farther "
-            "from the "
-            "reference it is in the air (at least two)");
+            "distance from the scan up to which a waypoint is inferred (at least three "
+            "spacings); farther than this from the reference (at least two spacings) it is in "
+            "the air");
   table.add("tolerance", p.tolerance, {1e-6, 1, "m"},
-            "of an adapted waypoint from the scanned surface (at least a fifth of the spacings of "
-            "both surfaces, summed)");
+            "largest distance of an adapted waypoint from the scanned surface (at least a fifth "
+            "of the summed spacings of both surfaces)");
   table.add("max_position_error", p.max_position_error, {1e-6, 10, "m"},
-            "a mesh as the reference: expected error of a waypoint along the surface, one standard "
-            "deviation (at least a fifth of the spacings of both surfaces, summed, and "
-            "initial_pose_distance)");
+            "if the reference is a mesh: largest expected error of a waypoint along the surface, "
+            "one standard deviation (at least a fifth of the summed spacings of both surfaces, "
+            "and at least initial_pose_distance)");
   table.add("max_orientation_error", p.max_orientation_error, {1e-6, M_PI, "rad"},
-            "expected error of a waypoint's orientation, one standard deviation");
+            "largest expected error of a waypoint's orientation, one standard deviation");
   table.add("max_deformation_ratio", p.max_deformation_ratio, {1e-6, 1},
-            "of 95 % of the reference's surface from its own shape, as a share of the part's "
-            "length, or it is the wrong part");
+            "largest deformation of 95 % of the reference's surface, as a share of the part's "
+            "length; above, it is the wrong part");
   table.renamed("max_deformation", "max_deformation_ratio");
   table.add("max_stranger", p.max_stranger, {1e-6, 10, "m"},
-            "of scanned points over, under or beside a waypoint from the reference: a rib or a "
-            "clamp in the way (at least the spacings of both surfaces, summed)");
+            "largest distance from the reference of scanned points over, under or beside a "
+            "waypoint; points farther off are in the way, such as a rib or a clamp (at least the "
+            "summed spacings of both surfaces)");
   table.add("max_displacement_ratio", p.max_displacement_ratio, {1e-6, 1},
-            "of a waypoint from where the similarity puts it, as a share of the part's length");
+            "largest displacement of a waypoint from where the similarity puts it, as a share of "
+            "the part's length");
   table.renamed("max_displacement", "max_displacement_ratio");
 }
 
@@ -132,20 +137,20 @@ Method method_from_string(const std::string& name) {
 void describe(ParameterTable& table, StretchParameters& parameters) {
   table.choice("method", parameters.method, kMethods,
                "affine: one similarity; general: also a smooth deformation; thesis_affine, "
-               "thesis_general: as "
-               "the thesis writes them, to compare");
+               "thesis_general: as published in the thesis, for comparison");
   table.add("leaf", parameters.leaf, {1e-6, 1, "m"},
-            "grid reduction along x, y, z; made wider in proportion where more than 50,000 points "
-            "would be left");
+            "cell of the grid reduction along x, y, z; enlarged in proportion if more than "
+            "50,000 points would be left");
   describe(table, parameters.prior.scale);
   describe(table, parameters.prior.pose);
   table.add("resample_spacing", parameters.resample_spacing, {1e-6, 10, "m", Also::kZero},
-            "the path gets waypoints at even steps of its length, no longer than this; the ends of "
-            "segments are kept, corners between are not. 0: its own waypoints");
+            "waypoints are placed at even steps along the path, at most this far apart; the ends "
+            "of segments are kept, corners between them are not. 0: the path keeps its waypoints");
   table.choice("stand_off", parameters.stand_off, {"keep", "scale"},
-               "of segments led over the reference at one distance (nine of ten waypoints do not "
-               "touch, and the distance varies by less than a fifth): it stays as it is along the "
-               "normal, or grows with the part; a way through the air grows with the part");
+               "segments led over the reference at a constant distance (nine of ten waypoints do "
+               "not touch, and the distance varies by less than a fifth) keep it along the "
+               "normal, or scale it with the part; a way through the air always scales with the "
+               "part");
   describe_size(table, parameters);
   describe_input(table, parameters);
   describe_deformation(table, parameters);

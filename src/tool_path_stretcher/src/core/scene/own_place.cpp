@@ -67,8 +67,8 @@ StretchResult on_two_things(const ToolPath& path, const StretchResult& one,
   result.path = {};
   result.verdict = {
       Reason::kAmbiguous,
-      "object: the reference fits onto two things in the scan; scan one of them, or "
-      "take the scan apart first (clean_cloud --objects)",
+      "object: the reference fits two things in the scan; scan only one of them, or "
+      "split the scan into its objects first (clean_cloud --objects)",
       {},
       {candidate_of(path, {one.similarity, {}}), candidate_of(path, {other.similarity, {}})}};
   return result;

@@ -41,8 +41,10 @@ std::vector<Triangle> triangles_of(const pcl::PolygonMesh& mesh, const Points& v
   for (const pcl::Vertices& polygon : mesh.polygons) {
     for (const auto vertex : polygon.vertices) {
       if (static_cast<std::size_t>(vertex) >= vertices.size()) {
-        throw UnusableInput(name, fmt::format("a triangle names vertex {}", vertex),
-                            "export the part again");
+        throw UnusableInput(
+            name,
+            fmt::format("a triangle refers to vertex {}, which the mesh does not have", vertex),
+            "export the part again");
       }
     }
     for (std::size_t i = 2; i < polygon.vertices.size(); ++i) {

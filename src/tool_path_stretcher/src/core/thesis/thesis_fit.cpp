@@ -56,7 +56,7 @@ void check_registration(const SurfacePair& surfaces, const Fitted& registered,
         !clearly_better(other.explanation, registered.explanation))
       continue;
     refuse(Reason::kAmbiguous, "pose",
-           fmt::format("the registration ended where the reference explains {:.4g} % of the "
+           fmt::format("where the registration ended, the reference explains {:.4g} % of the "
                        "object, and elsewhere it explains {:.4g} %",
                        100 * registered.explanation.inlier_ratio,
                        100 * other.explanation.inlier_ratio),

@@ -80,7 +80,8 @@ MappingError::MappingError(const SurfacePair& surfaces, const Mapping& mapping, 
   const Eigen::MatrixXd all = assumed.matrix + measured.matrix;
   std::optional<Eigen::MatrixXd> covariance = posterior_covariance(all);
   if (!covariance)
-    throw UnheldMapping(fmt::format("its {} unknowns do not hold each other", all.rows()));
+    throw UnheldMapping(
+        fmt::format("the equations of the mapping's {} unknowns are singular", all.rows()));
   covariance_ = std::move(*covariance);
   pull_ = covariance_ * (assumed.right_side + measured.right_side);
   common_ = kCommon * mapping.similarity.scale * seen.normal_deviation;

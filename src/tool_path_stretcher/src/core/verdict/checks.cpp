@@ -156,7 +156,7 @@ void refuse_mirrored(const Explanation& mirrored, const Explanation& explanation
 void refuse_search_at_bound(double scale, const StretchParameters& parameters) {
   refuse(
       Reason::kScaleAtBound, "scale",
-      fmt::format("the best one, {:.4g}, is an end of the range searched", scale),
+      fmt::format("the best one, {:.4g}, is at an end of the searched range", scale),
       fmt::format("raise scale_range ({:.4g}) or use the general method", parameters.scale_range));
 }
 

@@ -94,7 +94,7 @@ void check_fold_over(const ToolPath& path, const ToolPath& adapted, const Surfac
       folded_waypoints(path, adapted, mapping, surfaces.object.spacing / mapping.similarity.scale);
   if (!folded.empty()) {
     refuse(Reason::kFoldOver, "adapted path",
-           fmt::format("{} of {} waypoints run back where the path runs on, or lie where the "
+           fmt::format("{} of {} waypoints run backwards along the path, or lie where the "
                        "surface is turned over",
                        folded.size(), waypoint_count(path)),
            cure, folded);
@@ -121,8 +121,8 @@ void check_measured(const std::vector<WaypointQuality>& quality) {
                                             }).waypoints;
   if (inferred.size() < on && 2 * inferred.size() <= on) return;
   refuse(Reason::kPathNotScanned, "object",
-         fmt::format("of {} waypoints only {} lie on a surface that was scanned", on,
-                     on - inferred.size()),
+         fmt::format("only {} of {} waypoints lie on a surface that was scanned",
+                     on - inferred.size(), on),
          "scan the part along the path, more densely or from another side", inferred);
 }
 

@@ -59,7 +59,7 @@ class Row {
   void check(std::size_t waypoint) const {
     if (waypoint < places_.size()) return;
     refuse(fmt::format("no waypoint {}", waypoint),
-           fmt::format("the path has 0 to {} at this edit", places_.size() - 1));
+           fmt::format("at this edit the path has waypoints 0 to {}", places_.size() - 1));
   }
 
   /// @param change changes one waypoint
@@ -77,7 +77,7 @@ class Row {
 
   void check_orientation(EditFrame frame, const char* what) const {
     if (frame == EditFrame::kTool && !path_.has_orientation)
-      refuse(fmt::format("{} in the tool's frame, of a path without orientations", what),
+      refuse(fmt::format("{} in the tool's frame, but the path has no orientations", what),
              "give frame: path");
   }
 
@@ -92,7 +92,7 @@ class Row {
   }
 
   void apply(const TurnEdit& edit) {
-    if (!path_.has_orientation) refuse("a turn of a path without orientations", "leave it out");
+    if (!path_.has_orientation) refuse("a turn, but the path has no orientations", "leave it out");
     const Eigen::Matrix3d turn = Eigen::AngleAxisd(edit.angle, edit.about).toRotationMatrix();
     change(edit.waypoints, [&](Waypoint& waypoint) {
       const Eigen::Matrix3d before = waypoint.pose.linear();
@@ -105,7 +105,7 @@ class Row {
   void apply(const DeleteEdit& edit) {
     change(edit.waypoints, [](Waypoint&) {});
     if (edit.waypoints.last - edit.waypoints.first + 1 == places_.size())
-      refuse("it deletes all waypoints", "keep one at least");
+      refuse("it deletes all waypoints", "keep at least one");
     const auto at = [this](std::size_t i) {
       return std::next(places_.begin(), static_cast<std::ptrdiff_t>(i));
     };

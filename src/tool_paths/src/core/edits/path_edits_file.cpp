@@ -97,7 +97,7 @@ std::vector<PathEdit> read(const YamlEntry& root) {
   std::vector<PathEdit> edits;
   for (const YamlEntry& entry : root["edits"].elements())
     edits.push_back(read_edit(entry));
-  if (edits.empty()) root["edits"].refuse("empty", "give one edit at least");
+  if (edits.empty()) root["edits"].refuse("empty", "give at least one edit");
   return edits;
 }
 

@@ -17,14 +17,17 @@ PathConventions PathOptions::typed(const std::string& units) const {
 void add_path_options(CLI::App& app, PathOptions& options) {
   PathConventions& path = options.conventions;
   app.add_option("--euler", path.euler,
-                 "angles in the path: axes in the order of the turns, each about the turned frame "
-                 "(zyx: Kuka, Fanuc, roll-pitch-yaw; zyz: Comau)");
+                 "Euler angles in the path: axes in the order of the rotations, each about the "
+                 "rotated frame (zyx: Kuka, Fanuc, roll-pitch-yaw; zyz: Comau)");
   app.add_flag("--rotation-vector", path.rotation_vector,
                "angles in the path are a rotation vector (Universal Robots)");
-  CLI::Option* const degrees = app.add_flag("--degrees", options.degrees, "angles in the path");
-  app.add_flag("--radians", options.radians, "angles in the path")->excludes(degrees);
-  app.add_option("--process-values", path.process_values,
-                 "names in the path, by commas, that are no orientation though they look so")
+  CLI::Option* const degrees =
+      app.add_flag("--degrees", options.degrees, "angles in the path are in degrees");
+  app.add_flag("--radians", options.radians, "angles in the path are in radians")
+      ->excludes(degrees);
+  app.add_option(
+         "--process-values", path.process_values,
+         "names in the path, separated by commas, that look like an orientation but are not one")
       ->delimiter(',');
 }
 

@@ -179,7 +179,7 @@ std::vector<std::size_t> places_of(const PathLayout& layout, const ToolPath& pat
     if (at == texts.end()) {
       throw UnusableInput(fmt::format("tool path '{}'", path.name),
                           fmt::format("no values for '{}'", column),
-                          "write it as the file it was read from, or as a new one");
+                          "write it in the layout of its own file, or as a new file");
     }
     places.push_back(static_cast<std::size_t>(at - texts.begin()));
   }

@@ -137,7 +137,7 @@ void check_angles(const PoseConvention& convention, const std::vector<double>& a
   if (std::any_of(angles.begin(), angles.end(), is_beyond)) return;
   const auto found = std::find_if(angles.begin(), angles.end(), is_half_turn);
   if (found == angles.end()) return;
-  throw UnusableInput(source, fmt::format("an angle of {} degrees, and none beyond 6.28", *found),
+  throw UnusableInput(source, fmt::format("an angle of {} degrees, but none beyond 6.28", *found),
                       "give degrees, or say that they are radians (--radians)");
 }
 

@@ -102,7 +102,7 @@ class Reader {
       const auto at = std::find_if(places->second.begin(), places->second.end(), fits);
       if (at == places->second.end()) return {};
       if (std::any_of(at + 1, places->second.end(), fits)) {
-        throw UnusableInput(where_, quoted(places->second) + " say the same thing", "keep one");
+        throw UnusableInput(where_, quoted(places->second) + " have the same meaning", "keep one");
       }
       found.push_back(*at);
     }
@@ -114,7 +114,7 @@ class Reader {
     const std::string unit = parts_[indices[0]].unit;
     for (const std::size_t i : indices) {
       if (parts_[i].unit == unit) continue;
-      throw UnusableInput(where_, quoted(indices) + " have different units", "give them in one");
+      throw UnusableInput(where_, quoted(indices) + " have different units", "use one unit");
     }
     return unit;
   }

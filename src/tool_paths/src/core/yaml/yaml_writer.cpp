@@ -51,8 +51,9 @@ class ShapeWriter {
  private:
   [[noreturn]] void refuse() const {
     throw UnusableInput("tool path '" + path_.name + "'",
-                        fmt::format("{} segments for another file's YAML", path_.segments.size()),
-                        "write it as the file it was read from, or as a new one");
+                        fmt::format("{} segments do not fit the layout of another YAML file",
+                                    path_.segments.size()),
+                        "write it in the layout of its own file, or as a new file");
   }
 
   void begin_document() {
