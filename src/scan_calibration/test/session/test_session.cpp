@@ -122,7 +122,7 @@ TEST(SessionPoses, AreRefusedWithTheLineAndTheCure) {
             "p: line 1: columns for 0 of 2 lasers; add a column for each laser: several lines in "
             "one image cannot be told apart");
   EXPECT_EQ(poses_complaint(columns + "a.png" + pose + "\na.png,1,2,4,0,0,0,1\n", {"laser_0"}),
-            "p: line 3: 'a.png' again, first in line 2; give each view files of its own");
+            "p: line 3: 'a.png' repeated, first in line 2; give each view files of its own");
   EXPECT_EQ(poses_complaint(columns + pose + "\n", {"laser_0"}),
             "p: line 2: no image; name the image that shows the board");
   EXPECT_EQ(poses_complaint(columns + "a.png,1,2\n", {"laser_0"}),
