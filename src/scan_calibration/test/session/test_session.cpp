@@ -111,8 +111,8 @@ TEST(SessionPoses, AreRefusedWithTheLineAndTheCure) {
   const std::string columns = std::string(kColumns) + "\n";
   const std::string pose = kPose;
   EXPECT_EQ(poses_complaint("", {"laser_0"}), "p: empty; begin with image,x,y,z,qx,qy,qz,qw");
-  EXPECT_EQ(poses_complaint("name,x,y,z,qx,qy,qz,qw\n", {"laser_0"}).find("p: line 1: no such"),
-            0U);
+  EXPECT_EQ(
+      poses_complaint("name,x,y,z,qx,qy,qz,qw\n", {"laser_0"}).find("p: line 1: wrong header"), 0U);
   EXPECT_EQ(poses_complaint(std::string(kColumns) + ",laser_2\n", {"laser_0"}),
             "p: line 1: column 'laser_2'; name each laser of session.yaml once, and nothing else");
   EXPECT_EQ(poses_complaint(std::string(kColumns) + ",laser_0,laser_0\n", {"laser_0"})

@@ -215,7 +215,7 @@ TEST(PlyReader, SaysWhatIsWrong) {
               "line 3: an element without name and count");
   EXPECT_SAYS(complaint(parse_ply, ply("0 0 0\n1 1 1\n", "-1")),
               "line 3: an element without name and count");
-  EXPECT_SAYS(complaint(parse_ply, ply("0 0 0\n\n\n\n\n\n\n\n")), "truncated: 1 of 2");
+  EXPECT_SAYS(complaint(parse_ply, ply("0 0 0\n\n\n\n\n\n\n\n")), "truncated: it has 1 of 2");
   EXPECT_SAYS(complaint(parse_ply, ply("0 0 0\n1 1000\n")), "line 9: 2 values");
   EXPECT_SAYS(complaint(parse_ply, ply("0 0 0\n1 1 1 1\n")), "line 9: 4 values");
   EXPECT_SAYS(complaint(parse_ply, ply("0,5 0 0\n1 1 1\n")), "line 8: '0,5'; give a number");
@@ -338,9 +338,9 @@ TEST(MeshReaders, SayWhatIsWrong) {
   std::string binary(84 + 100, ' ');
   std::memcpy(&binary[80], "\2\0\0", 4);
   EXPECT_EQ(parse_stl(binary, "f").polygons.size(), 2U);
-  EXPECT_SAYS(complaint(parse_stl, binary.substr(0, 150)), "truncated: 150 of 184 bytes");
+  EXPECT_SAYS(complaint(parse_stl, binary.substr(0, 150)), "truncated: it has 150 of 184 bytes");
   binary[83] = '\x7f';
-  EXPECT_SAYS(complaint(parse_stl, binary), "truncated: 184 of");
+  EXPECT_SAYS(complaint(parse_stl, binary), "truncated: it has 184 of");
   EXPECT_SAYS(complaint(parse_obj, "v 0 0 0\nv 1 0 0\nv 0 1\n"), "line 3: truncated");
   EXPECT_SAYS(complaint(parse_obj, "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2\n"), "line 4: a face with 2");
   EXPECT_SAYS(complaint(parse_obj, "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 4\n"), "vertex 4 of 3");
