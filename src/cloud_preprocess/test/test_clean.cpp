@@ -113,7 +113,7 @@ TEST(CleanParameters, AreReadFromYaml) {
 TEST(CleanParameters, AreRefusedByTheNameOfTheBadEntry) {
   EXPECT_EQ(complaint("floor: {margin: -1}"), "floor.margin: -1; give a value from 0 to 1");
   EXPECT_EQ(complaint("floor: {margin: wide}"),
-            "clean.yaml: floor.margin: of the wrong type (line 1); correct it");
+            "clean.yaml: floor.margin: wrong type (line 1); correct it");
   EXPECT_EQ(complaint("floor: {margn: 1}"),
             "clean.yaml: floor.margn: no such entry (line 1); check its spelling");
   EXPECT_EQ(complaint("flor: {}"), "clean.yaml: flor: no such entry (line 1); check its spelling");

@@ -209,7 +209,7 @@ class LaserTriangulationNode(unittest.TestCase):
                 for old, now in (('least', 'min'), ('most', 'max')):
                     run = triangulate(folder, '--%s-%s' % (old, name), '1')
                     self.assertEqual(run.returncode, 1)
-                    self.assertIn('--%s-%s: renamed; its name is --%s-%s now' %
+                    self.assertIn('--%s-%s: renamed; use --%s-%s' %
                                   (old, name, now, name), run.stderr.decode())
 
     def test_exits_with_2_where_the_passes_of_a_bag_disagree_and_leaves_the_cloud(self):

@@ -105,7 +105,7 @@ TEST_F(ToolPathCheckTest, TellsFaultsByTheWaypointsOfThePath) {
   EXPECT_EQ(json["steps"][30]["joints"].size(), 6u);
   const std::string text = summary_of(asked(), found, "J2 is in the way");
   EXPECT_NE(text.find("the way to waypoint 28"), std::string::npos) << text;
-  EXPECT_NE(text.find("on the way to the begin: J2 is in the way"), std::string::npos) << text;
+  EXPECT_NE(text.find("on the way to the start: J2 is in the way"), std::string::npos) << text;
 }
 
 TEST_F(ToolPathCheckTest, WritesThePathWithTheTurnsThatWereChosen) {

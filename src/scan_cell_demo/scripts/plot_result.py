@@ -86,7 +86,7 @@ def main():
     add_version(parser)
     for name in ('reference', 'object', 'path', 'adapted', 'truth', 'output'):
         parser.add_argument('--' + name, required=True)
-    parser.add_argument('--traced', help="way of the tool's true tip; without it none is drawn")
+    parser.add_argument('--traced', help="path of the tool's true tip; default: not drawn")
     names = parser.parse_args()
     reference, object_cloud = read_points(names.reference), read_points(names.object)
     path, adapted, truth = (read_path(p) for p in (names.path, names.adapted, names.truth))

@@ -236,7 +236,7 @@ TEST_F(C4gTool, TakesNoHalfCommand) {
     EXPECT_EQ(c4g(words).code, 1) << words;
   const Result old = c4g("--most-linear-speed 100 status");
   EXPECT_EQ(old.code, 1);
-  EXPECT_EQ(old.said, "c4g: --most-linear-speed: renamed; its name is --max-linear-speed now\n");
+  EXPECT_EQ(old.said, "c4g: --most-linear-speed: renamed; use --max-linear-speed\n");
   EXPECT_EQ(c4g("--help").code, 0);
   EXPECT_TRUE(commands().empty());
 }

@@ -132,9 +132,9 @@ TEST(DriverStart, RefusesBadParametersByName) {
       {"", "/refused/address: not set"},
       {"_address:=robot", "'robot'"},
       {address + "_port:=0", "/refused/port: 0"},
-      {address + "_port:=5410.5", "/refused/port: not of type"},
+      {address + "_port:=5410.5", "/refused/port: wrong type"},
       {address + "_port:=35412 _adress:=127.0.0.1", "/refused/adress: no such parameter"},
-      {address + "_max_linear_speed:=fast", "/refused/max_linear_speed: not of type"},
+      {address + "_max_linear_speed:=fast", "/refused/max_linear_speed: wrong type"},
       {address + "_operation:=fast", "/refused/operation: 'fast'"},
       {address + "_flange_link:=hand", "robot description: no chain from 'base_link' to 'hand'"}};
   for (const auto& [parameters, complaint] : bad) {

@@ -75,7 +75,7 @@ void add_part(c4g_driver::CollisionScene& scene, const Options& options,
     return add_mesh(scene, options.part, metres_per_unit, to_base);
   scan_cell_common::Cloud cloud = scan_cell_common::load_cloud(options.part, metres_per_unit);
   if (const std::size_t removed = scan_cell_common::remove_non_finite(cloud); removed > 0)
-    std::printf("%s: %zu points that are not finite left out\n", options.part.c_str(), removed);
+    std::printf("%s: left out %zu points that are not finite\n", options.part.c_str(), removed);
   std::vector<Eigen::Vector3d> points;
   for (const pcl::PointXYZ& point : cloud)
     points.push_back(to_base * point.getVector3fMap().cast<double>());
@@ -87,7 +87,8 @@ std::unique_ptr<c4g_driver::CollisionScene> scene_of(const Options& options,
                                                      const ToolPathCheck& robot) {
   if (options.shapes.empty()) {
     if (!options.part.empty())
-      throw InvalidParameter("--part", options.part, "give --shapes, too: what may run into it");
+      throw InvalidParameter("--part", options.part,
+                             "give --shapes, too: bodies that must not hit it");
     return nullptr;
   }
   auto scene = std::make_unique<c4g_driver::CollisionScene>(
@@ -126,22 +127,21 @@ int check_path(const Options& options) {
 void add_options(CLI::App& app, Options& options, scan_cell_common::Outputs& outputs) {
   const CLI::IsMember units(scan_cell_common::length_units());
   app.add_option("--path", options.path, "tool path: CSV or YAML")->required();
-  app.add_option("--path-units", options.path_units, "of it")->check(units);
+  app.add_option("--path-units", options.path_units, "of the path")->check(units);
   add_path_options(app, options.conventions);
   app.add_option("--frame", options.frame, "of path and part: world or base_link")
       ->capture_default_str();
-  app.add_option("--cell", options.cell, "where robot and tool are: cell.yaml")->required();
-  app.add_option("--urdf", options.urdf, "of the robot, as c4g_driver has it")->required();
-  app.add_option("--start-joints", options.start, "[rad] six, where the robot comes from")
-      ->expected(6);
-  app.add_option("--shapes", options.shapes, "what must not run into each other: YAML");
+  app.add_option("--cell", options.cell, "poses of robot and tool: cell.yaml")->required();
+  app.add_option("--urdf", options.urdf, "of the robot, as for c4g_driver")->required();
+  app.add_option("--start-joints", options.start, "[rad] six, where the robot starts")->expected(6);
+  app.add_option("--shapes", options.shapes, "shapes that must not collide: YAML");
   app.add_option("--part", options.part, "mesh (STL, OBJ, PLY) or cloud, in the path's frame");
   app.add_option("--part-units", options.part_units)->check(units)->capture_default_str();
-  app.add_option("--part-cell", options.part_cell, "[m] that a point of a cloud fills")
+  app.add_option("--part-cell", options.part_cell, "[m] grid cell that a point of a cloud fills")
       ->capture_default_str();
-  outputs.add(app, "--output", options.output, "all that was found: JSON");
+  outputs.add(app, "--output", options.output, "full result: JSON");
   outputs.add(app, "--turned-path", options.turned,
-              "the path with the turns of --free-about-z, if the robot can follow it");
+              "the path as turned by --free-about-z, written if the robot can follow it");
   options.process.add(app, tool_path_programs::ExportParameters(),
                       {"waypoint_z", "speed_value", "speed_unit", "speed", "travel_speed",
                        "joint_speed", "zone", "approach", "retract"});

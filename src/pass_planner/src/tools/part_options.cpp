@@ -27,10 +27,10 @@ void add_part_options(CLI::App& app, PartOptions& options) {
       ->required();
   app.add_option("--path", options.path, "tool path on it: CSV or YAML")->required();
   app.add_option("--report", options.report,
-                 "report of stretch: part and path go to where it found them");
+                 "report of stretch: part and path are placed where it found them");
   app.add_option("--scanner", options.scanner, "scanner model: YAML")->required();
   app.add_option("--units", options.units, "of part and path")->check(units)->capture_default_str();
-  app.add_option("--path-units", options.path_units, "of the path, if others")->check(units);
+  app.add_option("--path-units", options.path_units, "of the path, if different")->check(units);
   options.typed.add(app, SightParameters());
 }
 

@@ -101,13 +101,13 @@ void plan_and_save(const Options& options) {
 void add_options(CLI::App& app, Options& options, scan_cell_common::Outputs& outputs) {
   add_part_options(app, options.part);
   app.add_option("--program", options.program,
-                 "scan program (YAML) to which passes are added, for what it does not see");
+                 "scan program (YAML) to extend by passes for what it does not see");
   app.add_option("--frame", options.frame,
                  "of part and new program, without --program: world or base_link")
       ->capture_default_str();
   outputs.add(app, "--output", options.output, "scan program: YAML")->required();
-  app.add_option("--urdf", options.urdf, "of the robot, as c4g_driver has it")->required();
-  app.add_option("--cell", options.cell, "where the robot stands: cell.yaml")->required();
+  app.add_option("--urdf", options.urdf, "of the robot, as for c4g_driver")->required();
+  app.add_option("--cell", options.cell, "pose of the robot: cell.yaml")->required();
   app.add_option("--start-joints", options.start,
                  "[rad] six, where the robot stands before the program")
       ->expected(6);

@@ -149,7 +149,7 @@ class BagTools(unittest.TestCase):
                                  stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
             self.assertEqual(run.returncode, 1)
             self.assertEqual(run.stdout.decode(),
-                             '%s: %s: renamed; its name is %s now\n' % (tool, old, now))
+                             '%s: %s: renamed; use %s\n' % (tool, old, now))
 
     def test_estimates_the_delay_of_the_poses_from_two_bags(self):
         delay = 0.009

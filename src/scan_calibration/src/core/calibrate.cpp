@@ -66,7 +66,7 @@ void note_left_out(Calibration& result) {
   if (corners + points > 0) {
     result.notes.push_back(fmt::format(
         "{} corners and {} laser points are outliers (more than eight standard deviations) and "
-        "left out",
+        "were left out",
         corners, points));
   }
 }

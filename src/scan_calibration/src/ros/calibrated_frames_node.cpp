@@ -43,6 +43,6 @@ int main(int argc, char** argv) {
   return scan_cell_common::node_main<Parameters>(
       argc, argv, "calibrated_frames",
       "Publishes the calibrated frames of scanner, tool and world as static transforms, and the "
-      "sheets of light of the lasers that burn.",
+      "sheets of light of the lasers that are on.",
       [] { serve(scan_cell_common::load_parameters<Parameters>(ros::NodeHandle("~"))); });
 }

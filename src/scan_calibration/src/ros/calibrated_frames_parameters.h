@@ -16,9 +16,9 @@ struct CalibratedFramesParameters {
 };
 
 inline void describe(scan_cell_common::ParameterTable& table, SheetSize& size) {
-  table.add("opening", size.opening, {0.01, 3, "rad"}, "angle of the drawn fan of light");
+  table.add("opening", size.opening, {0.01, 3, "rad"}, "opening angle of the drawn sheet of light");
   table.add("length", size.length, {0, 10, "m"},
-            "how far it is drawn; 0: to where it crosses the optical axis");
+            "length of the drawn sheet of light; 0: to where it crosses the optical axis");
 }
 
 inline void describe(scan_cell_common::ParameterTable& table,

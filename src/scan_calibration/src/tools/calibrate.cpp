@@ -54,7 +54,8 @@ void add_parts(CLI::App& app, Options& options) {
   CLI::Option* const lasers =
       add(app.add_flag("--lasers-alone", options.calibration.lasers_alone,
                        "laser planes; camera and its pose on the flange are kept from --scanner"));
-  add(app.add_option("--lasers", options.lasers, "of the session, as 0 1; default: all"))
+  add(app.add_option("--lasers", options.lasers,
+                     "lasers of the session, such as 0 1; default: all"))
       ->excludes(camera);
   camera->excludes(lasers);
 }
@@ -94,7 +95,7 @@ void add_knowledge(CLI::App& app, Options& options) {
   app.add_option("--detector", options.observation.detector,
                  "of the laser line: threshold, center_of_gravity, fir_derivative")
       ->capture_default_str();
-  app.add_option("--threads", known.threads, "does not change the result")
+  app.add_option("--threads", known.threads, "number of threads; does not change the result")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
 }

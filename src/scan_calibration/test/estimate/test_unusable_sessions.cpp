@@ -177,7 +177,7 @@ TEST(UnusableSession, WhosePoseWasRecordedOnceNamesTheViews) {
   Observations observations = good();
   for (ViewObservation& view : observations.views)
     view.base_to_flange = observations.views[0].base_to_flange;
-  EXPECT_SAYS(refused(observations), "1 different ones in 20 views: view1 has the pose of view0");
+  EXPECT_SAYS(refused(observations), "only 1 different in 20 views: view1 has the pose of view0");
 }
 
 TEST(UnusableSession, OfALaserThatNeverShowsNamesIt) {

@@ -159,8 +159,7 @@ TEST_F(ReadSession, LeavesOutAViewWhosePoseIsThatOfAnother) {
   std::ofstream(path("poses.csv")) << text;
   const Observations seen = read();
   EXPECT_EQ(seen.views.size(), 7U);
-  EXPECT_EQ(reason(seen, "images/board_0004.png", ""),
-            "its pose is that of images/board_0003.png again");
+  EXPECT_EQ(reason(seen, "images/board_0004.png", ""), "repeats the pose of images/board_0003.png");
 }
 
 TEST_F(ReadSession, SaysWhichBoardIsThereWhereAnotherWasGiven) {

@@ -111,8 +111,8 @@ TEST(SessionPoses, AreRefusedWithTheLineAndTheCure) {
   const std::string columns = std::string(kColumns) + "\n";
   const std::string pose = kPose;
   EXPECT_EQ(poses_complaint("", {"laser_0"}), "p: empty; begin with image,x,y,z,qx,qy,qz,qw");
-  EXPECT_EQ(poses_complaint("name,x,y,z,qx,qy,qz,qw\n", {"laser_0"}).find("p: line 1: no such"),
-            0U);
+  EXPECT_EQ(
+      poses_complaint("name,x,y,z,qx,qy,qz,qw\n", {"laser_0"}).find("p: line 1: wrong header"), 0U);
   EXPECT_EQ(poses_complaint(std::string(kColumns) + ",laser_2\n", {"laser_0"}),
             "p: line 1: column 'laser_2'; name each laser of session.yaml once, and nothing else");
   EXPECT_EQ(poses_complaint(std::string(kColumns) + ",laser_0,laser_0\n", {"laser_0"})
@@ -122,7 +122,7 @@ TEST(SessionPoses, AreRefusedWithTheLineAndTheCure) {
             "p: line 1: columns for 0 of 2 lasers; add a column for each laser: several lines in "
             "one image cannot be told apart");
   EXPECT_EQ(poses_complaint(columns + "a.png" + pose + "\na.png,1,2,4,0,0,0,1\n", {"laser_0"}),
-            "p: line 3: 'a.png' again, first in line 2; give each view files of its own");
+            "p: line 3: 'a.png' repeated, first in line 2; give each view files of its own");
   EXPECT_EQ(poses_complaint(columns + pose + "\n", {"laser_0"}),
             "p: line 2: no image; name the image that shows the board");
   EXPECT_EQ(poses_complaint(columns + "a.png,1,2\n", {"laser_0"}),

@@ -157,7 +157,7 @@ TEST_F(TaughtPosesFile, SaysWhereTheNumbersBelieTheUnitsOfTheHead) {
 
 TEST_F(TaughtPosesFile, NamesThePoseThatIsRepeated) {
   EXPECT_EQ(complaint("x,y,z,qx,qy,qz,qw\n1,2,3,0,0,0,1\n1,2,4,0,0,0,1\n1,2,3,0,0,0,1\n"),
-            ": line 4: the pose of line 2 again; leave one out or teach another pose");
+            ": line 4: repeats the pose of line 2; leave one out or teach another pose");
 }
 
 TEST_F(TaughtPosesFile, GrowsByAPoseAndKeepsWhatStoodInIt) {

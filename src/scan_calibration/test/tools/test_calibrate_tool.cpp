@@ -120,7 +120,7 @@ TEST_F(CalibrateTool, EndsWithOneOnUnusableInput) {
   EXPECT_EQ(run(session(), "--max-plane-rms -1"), 1);
   for (const std::string name : {"reprojection", "plane-rms", "board-scatter", "point-deviation"}) {
     EXPECT_EQ(run(session(), "--most-" + name + " 1"), 1);
-    EXPECT_NE(text("out.txt").find("--most-" + name + ": renamed; its name is --max-" + name),
+    EXPECT_NE(text("out.txt").find("--most-" + name + ": renamed; use --max-" + name),
               std::string::npos)
         << text("out.txt");
   }

@@ -80,7 +80,7 @@ TEST_F(CellFramesTool, RefusesTheOldNamesOfItsOptionsAndSaysTheNewOnes) {
   const auto refused = [this](const std::string& command, const std::string& old,
                               const std::string& now) {
     EXPECT_EQ(run(command + " " + old + " 1"), 1);
-    EXPECT_EQ(printed(), "cell_frames: " + old + ": renamed; its name is " + now + " now\n");
+    EXPECT_EQ(printed(), "cell_frames: " + old + ": renamed; use " + now + "\n");
   };
   refused("tool", "--most-condition", "--max-condition");
   refused("tool", "--most-residual", "--max-residual");

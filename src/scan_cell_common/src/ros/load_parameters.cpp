@@ -18,7 +18,7 @@ struct TakeParameter {
   void operator()(T& value) const {
     constexpr const char* kType = std::is_same_v<T, bool>          ? "true or false"
                                   : std::is_same_v<T, double>      ? "a number"
-                                  : std::is_same_v<T, std::string> ? "a text"
+                                  : std::is_same_v<T, std::string> ? "a string"
                                                                    : "a list of numbers";
     if (!node.getParam(name, value)) refuse(kType);
   }
@@ -31,7 +31,7 @@ struct TakeParameter {
   }
 
   [[noreturn]] void refuse(const std::string& type) const {
-    throw InvalidParameter(node.resolveName(name), "not of type " + type, "give " + type);
+    throw InvalidParameter(node.resolveName(name), "wrong type", "give " + type);
   }
 };
 

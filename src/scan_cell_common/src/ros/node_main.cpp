@@ -48,7 +48,7 @@ int node_main(int argc, char** argv, const std::string& name, const std::string&
                    "_NAME:=VALUE; the package's config folder and docs/ list them.");
   bool list = false;
   if (!parameters.empty())
-    options.add_flag("--parameters", list, "Print the parameters as a table, as docs/ has it");
+    options.add_flag("--parameters", list, "Print the parameters as a table, as in docs/");
   const auto run = [&] {
     if (list) {
       std::fputs(parameters.c_str(), stdout);

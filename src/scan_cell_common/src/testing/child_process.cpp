@@ -26,7 +26,7 @@ ChildProcess::ChildProcess(const std::vector<std::string>& command, bool quiet) 
   arguments.push_back(nullptr);
   id_ = fork();
   if (id_ < 0) {
-    throw Refused(command.front(), "no process for it", "end other programs");
+    throw Refused(command.front(), "cannot be started", "end other programs");
   }
   if (id_ > 0) return;
   prctl(PR_SET_PDEATHSIG, SIGTERM);

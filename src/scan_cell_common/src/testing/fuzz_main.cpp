@@ -103,14 +103,13 @@ void add_options(CLI::App& app, Options& options, const std::vector<FuzzTarget>&
   std::vector<std::string> names;
   for (const FuzzTarget& target : targets)
     names.push_back(target.name);
-  app.add_option("--target", options.target, "one of the readers; all where not given")
+  app.add_option("--target", options.target, "one of the readers; default: all")
       ->check(CLI::IsMember(names));
-  app.add_option("--runs", options.runs, "of each reader; fewer of slow ones")
-      ->capture_default_str();
+  app.add_option("--runs", options.runs, "per reader; fewer for slow ones")->capture_default_str();
   app.add_option("--seed", options.seed, "of the changes")->capture_default_str();
   app.add_option("--first", options.first, "number of the first run")->capture_default_str();
   app.add_option("--save", options.save, "writes the input of the first run here, and ends");
-  app.add_option("--seeds", options.seeds, "writes what is changed into this folder, and ends");
+  app.add_option("--seeds", options.seeds, "writes the unchanged files into this folder, and ends");
 }
 
 /// @throw FuzzFault

@@ -206,28 +206,29 @@ TEST(PlyReader, TakesEveryFormatAndAnyOtherProperties) {
 }
 
 TEST(PlyReader, SaysWhatIsWrong) {
-  EXPECT_SAYS(complaint(parse_ply, ""), "f: no PLY file");
-  EXPECT_SAYS(complaint(parse_ply, "\x89PNG\r\n\x1a\n"), "f: no PLY file");
+  EXPECT_SAYS(complaint(parse_ply, ""), "f: not a PLY file");
+  EXPECT_SAYS(complaint(parse_ply, "\x89PNG\r\n\x1a\n"), "f: not a PLY file");
   EXPECT_SAYS(complaint(parse_ply, "ply\nformat ascii 1.0\n"), "its header has no end");
   EXPECT_SAYS(complaint(parse_ply, ply("0 0 0\n1 1 1\n", "4000000000")),
               "truncated: its header promises 4000000000");
   EXPECT_SAYS(complaint(parse_ply, ply("0 0 0\n1 1 1\n", "99999999999999999999999")),
-              "line 3: no name and count");
-  EXPECT_SAYS(complaint(parse_ply, ply("0 0 0\n1 1 1\n", "-1")), "line 3: no name and count");
-  EXPECT_SAYS(complaint(parse_ply, ply("0 0 0\n\n\n\n\n\n\n\n")), "truncated: 1 of 2");
+              "line 3: an element without name and count");
+  EXPECT_SAYS(complaint(parse_ply, ply("0 0 0\n1 1 1\n", "-1")),
+              "line 3: an element without name and count");
+  EXPECT_SAYS(complaint(parse_ply, ply("0 0 0\n\n\n\n\n\n\n\n")), "truncated: it has 1 of 2");
   EXPECT_SAYS(complaint(parse_ply, ply("0 0 0\n1 1000\n")), "line 9: 2 values");
   EXPECT_SAYS(complaint(parse_ply, ply("0 0 0\n1 1 1 1\n")), "line 9: 4 values");
   EXPECT_SAYS(complaint(parse_ply, ply("0,5 0 0\n1 1 1\n")), "line 8: '0,5'; give a number");
   EXPECT_SAYS(complaint(parse_ply, ply("0 0 0\n1 1 1\n2 2 2\n")), "line 10: more than the header");
   EXPECT_SAYS(complaint(parse_ply, ply("0 0 0 0\n1 1 1 1\n", "2", "property float x\n")),
-              "no single x");
-  EXPECT_SAYS(complaint(parse_ply, ply("", "0", "element vertex 0\n")), "no single element");
+              "not have exactly one x");
+  EXPECT_SAYS(complaint(parse_ply, ply("", "0", "element vertex 0\n")), "not exactly one element");
   EXPECT_SAYS(complaint(parse_ply, ply("0 0 0\n1 1 1\n", "2",
                                        "element face 1\nproperty list uchar int corners\n")),
               "truncated: its header promises 1 of the element 'face'");
   std::string whole = ply("1 1 1\n0 0 0\n");
   whole.replace(whole.find("float x"), 7, "int x");
-  EXPECT_SAYS(complaint(parse_ply, whole), "no single x as float or double");
+  EXPECT_SAYS(complaint(parse_ply, whole), "not have exactly one x as float or double");
 }
 
 TEST(PlyReader, SeesAnyByteThatIsMissing) {
@@ -243,7 +244,7 @@ TEST(PlyReader, SeesAnyByteThatIsMissing) {
 
 TEST(PcdReader, SaysWhatIsWrong) {
   EXPECT_EQ(parse_pcd(with_crlf(pcd("0 0 0\n1 nan 1\n")), "f").size(), 2U);
-  EXPECT_SAYS(complaint(parse_pcd, ""), "no PCD file");
+  EXPECT_SAYS(complaint(parse_pcd, ""), "not a PCD file");
   EXPECT_SAYS(complaint(parse_pcd, "\x89PNG\r\n"), "in the header of a PCD file");
   for (const char* data : {"ascii", "binary", "binary_compressed"}) {
     EXPECT_SAYS(complaint(parse_pcd, pcd("0 0 0\n1 1 1\n", "1000000000", data)), "truncated");
@@ -264,7 +265,7 @@ TEST(PcdReader, SaysWhatIsWrong) {
   EXPECT_SAYS(complaint(parse_pcd, large), "line 3: '9'");
   std::string twice = pcd("0 0 0\n1 1 1\n");
   twice.replace(twice.find("x y z"), 5, "x y x");
-  EXPECT_SAYS(complaint(parse_pcd, twice), "no single x, y and z");
+  EXPECT_SAYS(complaint(parse_pcd, twice), "not exactly one x, y and z");
 }
 
 TEST(PcdReader, SeesAnyByteThatIsMissing) {
@@ -319,7 +320,7 @@ TEST(PcdReader, DoesNotTrustTheSizesOfPackedPoints) {
   EXPECT_SAYS(packed(4000000000U, 24, "2", bytes), "contradict");
   EXPECT_SAYS(packed(0, 24, "2", bytes), "contradict");
   EXPECT_SAYS(packed(27, 25, "2", bytes), "contradict");
-  EXPECT_SAYS(packed(27, 24, "2", bytes), "compressed points are broken");
+  EXPECT_SAYS(packed(27, 24, "2", bytes), "compressed points are corrupt");
   EXPECT_SAYS(packed(27, 8, "1431655766", bytes), "truncated");  // 8 in 32 bits
 }
 
@@ -330,18 +331,18 @@ TEST(MeshReaders, SayWhatIsWrong) {
   EXPECT_EQ(parse_stl(with_crlf(stl), "f").polygons.size(), 1U);
   EXPECT_SAYS(complaint(parse_stl, stl.substr(0, stl.find("endsolid"))), "truncated");
   EXPECT_SAYS(complaint(parse_stl, stl.substr(0, stl.find("endloop"))), "truncated");
-  EXPECT_SAYS(complaint(parse_stl, "hello"), "no STL file");
+  EXPECT_SAYS(complaint(parse_stl, "hello"), "not an STL file");
   std::string lost = stl;
   lost.erase(lost.find("vertex 1"), 13);
   EXPECT_SAYS(complaint(parse_stl, lost), "line 7: 'endfacet' out of place");
   std::string binary(84 + 100, ' ');
   std::memcpy(&binary[80], "\2\0\0", 4);
   EXPECT_EQ(parse_stl(binary, "f").polygons.size(), 2U);
-  EXPECT_SAYS(complaint(parse_stl, binary.substr(0, 150)), "truncated: 150 of 184 bytes");
+  EXPECT_SAYS(complaint(parse_stl, binary.substr(0, 150)), "truncated: it has 150 of 184 bytes");
   binary[83] = '\x7f';
-  EXPECT_SAYS(complaint(parse_stl, binary), "truncated: 184 of");
+  EXPECT_SAYS(complaint(parse_stl, binary), "truncated: it has 184 of");
   EXPECT_SAYS(complaint(parse_obj, "v 0 0 0\nv 1 0 0\nv 0 1\n"), "line 3: truncated");
-  EXPECT_SAYS(complaint(parse_obj, "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2\n"), "line 4: a face of 2");
+  EXPECT_SAYS(complaint(parse_obj, "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2\n"), "line 4: a face with 2");
   EXPECT_SAYS(complaint(parse_obj, "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 4\n"), "vertex 4 of 3");
   EXPECT_SAYS(complaint(parse_obj, "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 -4\n"), "vertex '-4'");
   EXPECT_SAYS(complaint(parse_obj, "v 0 0 0\nf 1 2 0\n"), "vertex '0'");

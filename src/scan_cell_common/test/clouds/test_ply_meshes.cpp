@@ -134,19 +134,20 @@ TEST(PlyMesh, CutsPolygonsIntoTrianglesThatFillThemAlsoWhereTheyAreConcave) {
 }
 
 TEST(PlyMesh, SaysWhatIsWrong) {
-  EXPECT_NE(complaint(ply_mesh("ascii", {{0, 1, 6}})).find("a face of vertex 6 of 6"),
+  EXPECT_NE(complaint(ply_mesh("ascii", {{0, 1, 6}})).find("a face with vertex 6 of 6"),
             std::string::npos);
-  EXPECT_NE(
-      complaint(ply_mesh("binary_little_endian", {{0, 1, -1}})).find("a face of vertex 4294967295"),
-      std::string::npos);
+  EXPECT_NE(complaint(ply_mesh("binary_little_endian", {{0, 1, -1}}))
+                .find("a face with vertex 4294967295"),
+            std::string::npos);
   EXPECT_NE(complaint(ply_mesh("ascii", {{0, 1, -1}})).find("'-1'; give whole numbers"),
             std::string::npos);
-  EXPECT_NE(complaint(ply_mesh("ascii", {{0, 1}})).find("a face of 2 corners; give at least three"),
-            std::string::npos);
+  EXPECT_NE(
+      complaint(ply_mesh("ascii", {{0, 1}})).find("a face with 2 corners; give at least three"),
+      std::string::npos);
   std::string other = ply_mesh("ascii", {{0, 1, 2}});
   other.replace(other.find("int vertex_indices"), 18, "float somethings  ");
   EXPECT_EQ(faces_of_ply(other), 0U);
-  EXPECT_NE(complaint(other).find("no single list of corners"), std::string::npos);
+  EXPECT_NE(complaint(other).find("not have exactly one list of corners"), std::string::npos);
   const std::string whole = ply_mesh("binary_big_endian", kNotched);
   for (std::size_t size = 0; size < whole.size(); ++size)
     EXPECT_THROW(parse_ply_mesh(whole.substr(0, size), "f"), FileError) << size;

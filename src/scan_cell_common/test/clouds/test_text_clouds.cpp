@@ -97,8 +97,9 @@ TEST(PointTable, TakesAnEmptyFieldForNoMeasurement) {
 }
 
 TEST(PointTable, SaysWhatIsWrong) {
-  EXPECT_SAYS(text_complaint("a,b,c\n1,2,3\n"), "f, line 1: no header with one x, one y and one z");
-  EXPECT_SAYS(text_complaint("x,x,y,z\n1,2,3,4\n"), "no header with one x");
+  EXPECT_SAYS(text_complaint("a,b,c\n1,2,3\n"),
+              "f, line 1: neither numbers nor a header with one x, one y and one z");
+  EXPECT_SAYS(text_complaint("x,x,y,z\n1,2,3,4\n"), "neither numbers nor a header with one x");
   EXPECT_SAYS(text_complaint("hello\n"), "'hello'; name the columns x, y and z");
   EXPECT_SAYS(text_complaint("1 2\n"), "2 columns; give x, y and z in each line");
   EXPECT_SAYS(text_complaint("x y z\n1 2 3\n1 2\n"), "f, line 3: 2 columns; give 3");
@@ -122,7 +123,8 @@ TEST(PointTable, RefusesAnotherUnitThanItsHeaderNames) {
     EXPECT_SAYS(text_complaint(text, 0.0254), "--units mm");
     EXPECT_EQ(text_complaint(text, 1e-3), "nothing");
   }
-  EXPECT_SAYS(text_complaint("x_mm,y_mm,z_inch\n1,2,3\n"), "no header with one x");
+  EXPECT_SAYS(text_complaint("x_mm,y_mm,z_inch\n1,2,3\n"),
+              "neither numbers nor a header with one x");
 }
 
 TEST(DepthProfiles, BecomePointsAtTheSteps) {
@@ -134,7 +136,7 @@ TEST(DepthProfiles, BecomePointsAtTheSteps) {
     EXPECT_EQ(loaded.cloud[1].getVector3fMap(), Eigen::Vector3f(0.25F, 0, 8));
     EXPECT_EQ(loaded.cloud[3].getVector3fMap(), Eigen::Vector3f(0.5F, -2, 5));
     EXPECT_EQ(loaded.notes.back(),
-              "2 profiles of 3 columns, 2 of their 6 values are no measurement");
+              "2 profiles of 3 columns, 2 of their 6 values are not measurements");
   }
 }
 

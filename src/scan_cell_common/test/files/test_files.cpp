@@ -50,10 +50,10 @@ TEST_F(Files, ComeBackByteByByte) {
 
 TEST_F(Files, AreRefusedByNameWhereTheyAreNone) {
   EXPECT_EQ(complaint(path("missing")), "no such file");
-  EXPECT_EQ(complaint(path("")), "no file but a folder, a device or a pipe");
-  EXPECT_EQ(complaint("/dev/null"), "no file but a folder, a device or a pipe");
+  EXPECT_EQ(complaint(path("")), "a folder, a device or a pipe, not a file");
+  EXPECT_EQ(complaint("/dev/null"), "a folder, a device or a pipe, not a file");
   ASSERT_EQ(mkfifo(path("pipe").c_str(), 0600), 0);
-  EXPECT_EQ(complaint(path("pipe")), "no file but a folder, a device or a pipe");
+  EXPECT_EQ(complaint(path("pipe")), "a folder, a device or a pipe, not a file");
   save_text(path("file"), "text");
   EXPECT_NE(complaint(path("file/below")), "");
 }

@@ -46,9 +46,9 @@ TEST(YamlEntry, IsRefusedByItsWholeNameAndLine) {
   EXPECT_EQ(complaint("\na: {[b]: 1}", [](const YamlEntry& e) { e["a"].refuse_unknown({"c"}); }),
             "a.yaml: a: a name that is a list or a map (line 2); give name: value");
   EXPECT_EQ(complaint("\na: [1, wide]", [](const YamlEntry& e) { e["a"].elements()[1].as<int>(); }),
-            "a.yaml: a[1]: of the wrong type (line 2); correct it");
+            "a.yaml: a[1]: wrong type (line 2); correct it");
   EXPECT_EQ(complaint("\na: {b: 1}", [](const YamlEntry& e) { e["a"].elements(); }),
-            "a.yaml: a: no list (line 2); give a list");
+            "a.yaml: a: not a list (line 2); give a list");
   EXPECT_EQ(complaint("a: []", [](const YamlEntry& e) { e["a"].elements(); }), "nothing");
   EXPECT_EQ(complaint("\na: [1, .nan]", [](const YamlEntry& e) { e["a"].vector<2>(); }),
             "a.yaml: a: not finite (line 2); give numbers");

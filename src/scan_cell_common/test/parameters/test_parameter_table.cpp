@@ -150,9 +150,8 @@ TEST(ParameterTable, RefusesBadOptionsByName) {
   EXPECT_EQ(refused({"--port", "-1"}), "--port: -1; give a value from 1 to 65535");
   EXPECT_EQ(refused({"--port", "65537"}), "--port: 65537; give a value from 1 to 65535");
   EXPECT_EQ(refused({"--colour", "blue"}), "--colour: 'blue'; give one of red, green");
-  EXPECT_EQ(refused({"--most-rate", "5"}), "--most-rate: renamed; its name is --max-rate now");
-  EXPECT_EQ(refused({"--lens-focal"}),
-            "--lens-focal: renamed; its name is --lens-focal-length now");
+  EXPECT_EQ(refused({"--most-rate", "5"}), "--most-rate: renamed; use --max-rate");
+  EXPECT_EQ(refused({"--lens-focal"}), "--lens-focal: renamed; use --lens-focal-length");
   EXPECT_THROW(typed({}), CLI::RequiredError);
   EXPECT_THROW(typed({"--scanner", "s", "--leaf", "1", "2"}), CLI::ArgumentMismatch);
   EXPECT_THROW(typed({"--scanner", "s", "--port", "1", "--port", "2"}), CLI::ArgumentMismatch);

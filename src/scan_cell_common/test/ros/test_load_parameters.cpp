@@ -93,7 +93,7 @@ TEST_F(Parameters, AreRefusedByTheirOldNameWithTheNewOne) {
     reader_.renamed("most_rate", "max_rate");
     FAIL();
   } catch (const InvalidParameter& error) {
-    EXPECT_EQ(error.what(), node_.resolveName("most_rate") + ": renamed; its name is max_rate now");
+    EXPECT_EQ(error.what(), node_.resolveName("most_rate") + ": renamed; use max_rate");
   }
 }
 

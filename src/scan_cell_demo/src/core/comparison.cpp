@@ -36,7 +36,7 @@ PathError compare(const ToolPath& path, const ToolPath& truth) {
   if (ours.size() != theirs.size() || ours.empty()) {
     throw scan_cell_common::UnusableInput(
         "adapted path", fmt::format("{} waypoints", ours.size()),
-        fmt::format("compare it with a path of the same number, not {}", theirs.size()));
+        fmt::format("compare it with a path of as many waypoints, not {}", theirs.size()));
   }
   PathError error;
   for (std::size_t i = 0; i < ours.size(); ++i) {
@@ -104,7 +104,8 @@ PathError compare_way(const std::vector<Eigen::Vector3d>& way, const ToolPath& t
   const auto places = waypoints(truth);
   if (way.empty() || places.empty())
     throw scan_cell_common::UnusableInput(
-        "way of the tip", fmt::format("{} places, {} waypoints", way.size(), places.size()),
+        "recorded path of the tip",
+        fmt::format("{} places, {} waypoints", way.size(), places.size()),
         "record it while the robot follows the path");
   PathError error;
   for (const Waypoint* waypoint : places) {

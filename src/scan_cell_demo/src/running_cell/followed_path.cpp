@@ -89,7 +89,7 @@ scan_cell_msgs::FollowResultConstPtr FollowedPath::end() {
 
 FollowedPath::Rest FollowedPath::rest(Nanoseconds struck) const {
   constexpr double kSamePlace = 1e-6;  // [m]
-  wait_until("the outputs to be off", [&] {
+  wait_until("all outputs off", [&] {
     const std::lock_guard<std::mutex> lock(mutex_);
     return !on_ && outputs_heard_ > struck && !places_.empty() && places_.back().time > struck;
   });

@@ -181,7 +181,7 @@ void RunningCell::set_faults(const SetFaults::Request& faults) {
 
 void RunningCell::wait_until_standing() {
   start_to_look();
-  wait_until("the robot to stand", [this] { return look().still >= kStill; });
+  wait_until("the robot at rest", [this] { return look().still >= kStill; });
 }
 
 double RunningCell::way_within(double time) {

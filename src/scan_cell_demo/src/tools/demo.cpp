@@ -262,7 +262,7 @@ class Demo {
 void add_goal(CLI::App& app, const std::string& name, double& goal, const std::string& meaning) {
   app.add_option_function<double>(
          name, [&goal](double millimetres) { goal = millimetres / kMillimetres; },
-         fmt::format("goal [mm]: at most, {}", meaning))
+         fmt::format("goal [mm]: largest distance {}", meaning))
       ->default_str(fmt::format("{:g}", goal * kMillimetres));
 }
 

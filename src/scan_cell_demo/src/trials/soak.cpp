@@ -141,7 +141,8 @@ class Soak {
 int main(int argc, char** argv) {
   Options options;
   CLI::App app(
-      "Scans in a loop with faults on the wires, and checks that no node holds more and more");
+      "Scans in a loop with faults on the wires, and checks that no node's memory, threads, files "
+      "and sockets keep growing");
   app.add_option("--hours", options.hours, "duration")->check(CLI::PositiveNumber);
   app.add_option("--report", options.report, "seconds between two lines of progress");
   app.add_option("--folder", options.folder, "folder for logs");

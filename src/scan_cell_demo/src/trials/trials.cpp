@@ -167,10 +167,10 @@ int main(int argc, char** argv) {
   app.add_option("--max-moving", options.limits.moving,
                  "seconds that the robot may still move after a blow in a path");
   scan_cell_common::refuse_renamed(app, {{"--most-on", "--max-on"}});
-  app.add_option("--blows", options.blows, "which of them")
+  app.add_option("--blows", options.blows, "disturbances to choose from")
       ->check(CLI::IsMember(options.blows))
       ->capture_default_str();
-  app.add_option("--moments", options.moments, "when they come")
+  app.add_option("--moments", options.moments, "when they may come")
       ->check(CLI::IsMember(options.moments))
       ->capture_default_str();
   app.add_option("--folder", options.folder, "folder for clouds and logs");

@@ -10,13 +10,13 @@ using scan_cell_common::ParameterTable;
 
 static void describe(ParameterTable& table, CameraOptions& camera) {
   table.add("address", camera.address, "interface to serve the camera on");
-  table.add("serial", camera.serial, "that it answers with");
+  table.add("serial", camera.serial, "serial number");
   table.add("description", camera.genicam_file,
             "GenICam description; none: the package's `config/gige_camera.xml`");
   table.add("region_x", camera.region.x, {0, 65535, "px"}, "first column at power-up");
   table.add("region_y", camera.region.y, {0, 65535, "px"}, "first row at power-up");
-  table.add("region_width", camera.region.width, {1, 65535, "px"}, "at power-up");
-  table.add("region_height", camera.region.height, {1, 65535, "px"}, "at power-up");
+  table.add("region_width", camera.region.width, {1, 65535, "px"}, "columns at power-up");
+  table.add("region_height", camera.region.height, {1, 65535, "px"}, "rows at power-up");
   table.add("min_period", camera.min_period, {0, 1, "s"}, "shortest time between two exposures");
   table.renamed("least_period", "min_period");
   table.add("wire_rate", camera.wire_rate, {1e6, 1e10, "bytes/s"}, "Gigabit Ethernet");
@@ -29,13 +29,14 @@ static void describe(ParameterTable& table, Optics& optics) {
   table.add("stripe_sigma", optics.stripe_sigma, {0.5, 20, "px"}, "cross-section of the line");
   table.add("brightness", optics.brightness, {0, 10000, grey},
             "peak on a white surface, met head on, 0.5 m from the projector");
-  table.add("exposure", optics.exposure, {1e-6, 1, "s"}, "exposure that `brightness` is meant for");
+  table.add("exposure", optics.exposure, {1e-6, 1, "s"},
+            "exposure for which `brightness` is given");
   table.add("background", optics.background, {0, 255, grey}, "dark level and stray light");
   table.add("ambient", optics.ambient, {0, 255, grey},
-            "of a white surface in the light of the room, at `exposure`");
+            "of a white surface in the room's light, at `exposure`");
   table.add("read_noise", optics.read_noise, {0, 50, grey}, "standard deviation");
   table.add("shot_noise", optics.shot_noise, {0, 10},
-            "standard deviation over the root of the line's grey value");
+            "standard deviation divided by the square root of the line's grey value");
   table.add("seed", optics.seed, {0, 2147483647},
             "the same seed and frame number give the same image");
 }
@@ -51,13 +52,13 @@ static void describe(ParameterTable& table, ControllerOptions& controller) {
   table.add("address", controller.address, "of the controller");
   table.add("port", controller.port, {1, 65535}, "of the controller, UDP");
   table.add("stream_period", controller.stream_period, {0.002, 0.010, "s"},
-            "between two positions streamed");
+            "between two streamed positions");
   table.add("position_noise", controller.noise.position, {0, 0.1, "m"},
-            "standard deviation of what it measures");
+            "standard deviation of measured positions");
   table.add("orientation_noise", controller.noise.orientation, {0, 0.1, "rad"},
-            "standard deviation of what it measures");
+            "standard deviation of measured orientations");
   table.choice("mode", controller.mode, {"programming", "automatic", "remote"},
-               "where the mode selector stands at the start");
+               "position of the mode selector at the start");
   table.group("to_client", controller.faults.to_client);
   table.group("from_client", controller.faults.from_client);
 }
@@ -66,9 +67,9 @@ void describe(ParameterTable& table, Parameters& parameters) {
   table.add("world", parameters.world,
             "world file; none: the package's `config/reference_frame.yaml`");
   table.add("scanner", parameters.scanner,
-            "scanner model as it truly is; none: the package's `config/scanner.yaml`");
+            "true scanner model; none: the package's `config/scanner.yaml`");
   table.add("cell", parameters.cell,
-            "where the robot truly stands: `base_link_in_world`; none: the package's "
+            "true pose of the robot, `base_link_in_world`; none: the package's "
             "`config/cell.yaml`");
   table.add("true_flange_rate", parameters.true_flange_rate, {0.1, 1000, "Hz"},
             "of `~true_flange` and `~true_outputs`");

@@ -81,7 +81,7 @@ void add_options(CLI::App& app, ControllerOptions& options, Typed& typed) {
       ->capture_default_str();
   app.add_option("--seed", options.noise.seed, "of noise and faults")->capture_default_str();
   app.add_option("--clock-drift", options.faults.clock_drift,
-                 "1e-6: one microsecond a second too fast")
+                 "1e-6: one microsecond per second too fast")
       ->capture_default_str();
   for (const scan_cell_sim::WireFault& fault : scan_cell_sim::kWireFaults) {
     app.add_option_function<double>(
@@ -91,7 +91,7 @@ void add_options(CLI::App& app, ControllerOptions& options, Typed& typed) {
              set_fault(options.faults.from_client, fault.name, value);
            },
            (fault.time ? "[ms] " : "probability that a datagram ") + std::string(fault.effect))
-        ->group("Faults of the wire, either way");
+        ->group("Faults of the wire, in both directions");
   }
 }
 
@@ -118,7 +118,7 @@ int main(int argc, char** argv) {
   Typed typed;
   CLI::App app{
       "Emulator of a robot controller that serves C4G over UDP (c4g_protocol.md). Lines on "
-      "the standard input do what somebody at its panel and its cable does: type help"};
+      "the standard input operate its panel and its cable: type help"};
   add_options(app, options, typed);
   std::vector<char*> words = without_ros_names(argc, argv);
   return scan_cell_common::tool_main("controller_only", app, static_cast<int>(words.size()),

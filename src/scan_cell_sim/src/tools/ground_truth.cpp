@@ -86,7 +86,7 @@ void add_commands(CLI::App& app, Options& o, Outputs& outputs, std::function<voi
   CLI::App* const cloud = app.add_subcommand(
       "cloud", "Distance of a cloud in the frame world to the true surfaces [mm]");
   cloud->add_option("--world", o.world, "World file")->required();
-  cloud->add_option("--part", o.part, "This part alone; without it all parts and the floor");
+  cloud->add_option("--part", o.part, "Only this part; default: all parts and the floor");
   cloud->add_option("--cloud", o.cloud, "PLY, PCD, XYZ or CSV")->required();
   add_units(*cloud, o);
   outputs.add(*cloud, "--json", o.json, "Report to write");
@@ -95,17 +95,17 @@ void add_commands(CLI::App& app, Options& o, Outputs& outputs, std::function<voi
   CLI::App* const path = app.add_subcommand("path", "True image of a tool path on a changed part");
   path->add_option("--reference", o.reference, "World file the path was made in")->required();
   path->add_option("--object", o.object, "World file with the changed part")->required();
-  path->add_option("--part", o.part, "Its name, in both")->required();
+  path->add_option("--part", o.part, "The part's name, in both")->required();
   path->add_option("--path", o.path, "CSV of tool poses, z into the surface")->required();
   outputs.add(*path, "--output", o.output, "CSV to write")->required();
   path->callback([&] { work = [&o] { image_path(o); }; });
 
   CLI::App* const points =
-      app.add_subcommand("sample", "Points on what is seen of the surfaces from above");
+      app.add_subcommand("sample", "Points on the surfaces that are visible from above");
   points->add_option("--world", o.world, "World file")->required();
-  points->add_option("--part", o.part, "This part alone; without it all parts and the floor");
-  points->add_option("--points", o.points, "How many")->capture_default_str();
-  points->add_option("--seed", o.seed, "Another one gives other points")->capture_default_str();
+  points->add_option("--part", o.part, "Only this part; default: all parts and the floor");
+  points->add_option("--points", o.points, "Number of points")->capture_default_str();
+  points->add_option("--seed", o.seed, "Of the random points")->capture_default_str();
   points->add_option("--noise", o.noise_mm, "Standard deviation along the normal [mm]")
       ->capture_default_str();
   outputs.add(*points, "--output", o.output, "PLY or PCD to write")->required();

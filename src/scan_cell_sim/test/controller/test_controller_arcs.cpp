@@ -275,7 +275,7 @@ TEST(ArcOfNoCircle, IsRefusedByName) {
   EXPECT_EQ(said(looking_down(0.80011, 0.05, 0.6), to), "");
   Isometry3d turned = via;
   turned.rotate(AngleAxisd(M_PI, Vector3d::UnitZ()));
-  EXPECT_EQ(said(turned, to), "the turn to via is half a turn: which way round is open");
+  EXPECT_EQ(said(turned, to), "the turn to via is half a turn: its direction is ambiguous");
   EXPECT_EQ(said(via, to * AngleAxisd(M_PI, Vector3d::UnitZ())),
-            "the turn from via is half a turn: which way round is open");
+            "the turn from via is half a turn: its direction is ambiguous");
 }

@@ -141,7 +141,7 @@ TEST_F(ExtractPeaks, NamesTheFileOrSettingThatIsUnusable) {
   EXPECT_NE(log().find("trigger_level"), std::string::npos);
   EXPECT_NE(log().find("255"), std::string::npos);
   EXPECT_EQ(run("--most-width 9"), 1);
-  EXPECT_NE(log().find("--most-width: renamed; its name is --max-width now"), std::string::npos);
+  EXPECT_NE(log().find("--most-width: renamed; use --max-width"), std::string::npos);
   EXPECT_EQ(run("--choice darkest"), 1);
   EXPECT_NE(log().find("darkest"), std::string::npos);
   EXPECT_FALSE(fs::exists(output_));

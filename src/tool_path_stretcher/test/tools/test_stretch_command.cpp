@@ -156,15 +156,15 @@ TEST_F(StretchCommand, NamesTheCloudThatIsNone) {
   fs::create_directory(file("folder.ply"));
   ASSERT_EQ(mkfifo(file("pipe.ply").c_str(), 0600), 0);
   const std::map<std::string, std::string> complaints = {
-      {"picture.ply", "no PLY file"},
-      {"empty.ply", "no PLY file"},
+      {"picture.ply", "not a PLY file"},
+      {"empty.ply", "not a PLY file"},
       {"short.ply", "truncated: its header promises 20000"},
       {"short.pcd", "truncated: its header promises 20000"},
       {"huge.ply", "truncated: its header promises 4000000000"},
       {"short.stl", "truncated: no 'endsolid'"},
-      {"short.obj", "line 4: a face of 2 corners"},
-      {"folder.ply", "no file but a folder"},
-      {"pipe.ply", "no file but a folder, a device or a pipe"}};
+      {"short.obj", "line 4: a face with 2 corners"},
+      {"folder.ply", "a folder, a device or a pipe, not a file"},
+      {"pipe.ply", "a folder, a device or a pipe, not a file"}};
   for (const auto& [name, complaint] : complaints) {
     EXPECT_EQ(run(name, "d.ply", "p.csv"), 1) << name;
     EXPECT_NE(text_of("stderr").find(name), std::string::npos) << text_of("stderr");

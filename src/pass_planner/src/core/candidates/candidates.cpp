@@ -213,18 +213,18 @@ void add_arcs_around(const Target& target, double stand_off, std::vector<ScanPas
 }  // namespace
 
 void describe(scan_cell_common::ParameterTable& table, PlanParameters& parameters) {
-  table.add("max_passes", parameters.max_passes, {1, 200}, "that may be proposed");
+  table.add("max_passes", parameters.max_passes, {1, 200}, "largest number of passes to propose");
   table.add("good_angle", parameters.good_angle, {0.1, 1.57, "rad"},
-            "between the surface's normal and light or sight, at most, where that can be had");
+            "largest angle of light and sight to the surface's normal, where that is possible");
   table.add("margin", parameters.margin, {0, 0.5, "m"},
-            "that a pass goes on beyond the outermost waypoints");
+            "length of a pass beyond the outermost waypoints");
   table.add("clearance", parameters.clearance, {0, 1, "m"},
             "of flange, camera and lasers from the part and the floor");
   table.add("floor_height", parameters.floor_height, {-10, 10, "m"}, "z of the floor in `world`");
   table.add("stand_off", parameters.stand_off, {0.05, 5, "m", scan_cell_common::Also::kZero},
             "of the camera; 0: where the planes of light cross its axis");
   table.add("speed", parameters.speed, {1e-3, 0.5, "m/s"}, "of the passes");
-  table.add("rate", parameters.rate, {2, 250, "Hz"}, "frames a laser");
+  table.add("rate", parameters.rate, {2, 250, "Hz"}, "frames per second of each laser");
 }
 
 std::vector<ScanPass> candidate_passes(const std::vector<Surface::Place>& places,

@@ -24,12 +24,12 @@ void check_same(const std::string& file, double metres, const std::optional<File
                 const std::string& report) {
   if (!reported) return;
   if (scan_cell_common::metres_per(reported->units) != metres) {
-    throw UnusableInput(file, fmt::format("taken to be in units of {:g} m", metres),
+    throw UnusableInput(file, fmt::format("read in units of {:g} m", metres),
                         fmt::format("give its unit as in {}: {}", report, reported->units));
   }
   if (tool_path_stretcher::record_of(file, reported->units).sha256 == reported->sha256) return;
   throw UnusableInput(file, "not the file that " + report + " is about",
-                      "give " + reported->name + " as it was then");
+                      "give " + reported->name + ", unchanged since then");
 }
 
 void place_as_reported(const PartFiles& files, PlacedPart& part) {
@@ -38,7 +38,7 @@ void place_as_reported(const PartFiles& files, PlacedPart& part) {
   check_same(files.path, scan_cell_common::metres_per(files.path_units), verdict.path,
              files.report);
   if (verdict.similarities.empty()) {
-    throw UnusableInput(files.report, "says of no pose of the part (" + verdict.reason + ")",
+    throw UnusableInput(files.report, "has no pose of the part (" + verdict.reason + ")",
                         "give the report of a run that found the part");
   }
   const tool_path_stretcher::Similarity& similarity = verdict.similarities.front();

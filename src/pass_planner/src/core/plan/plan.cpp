@@ -193,7 +193,8 @@ void check_size(const std::vector<Surface::Place>& places) {
   if (places.empty() || box.diagonal().norm() <= largest) return;
   throw scan_cell_common::UnusableInput(
       "path", fmt::format("its waypoints are {:g} m apart", box.diagonal().norm()),
-      fmt::format("give part and path in their unit: passes are made for up to {:g} m", largest));
+      fmt::format("check the units of part and path: passes are planned for up to {:g} m",
+                  largest));
 }
 
 }  // namespace

@@ -76,9 +76,9 @@ std::string summary_of(const PathForRobot& path, const ToolCheck& check,
   std::string text;
   for (const ToolFault& fault : check.faults)
     text += fault_text(path, fault) + "\n";
-  if (!approach.empty()) text += "on the way to the begin: " + approach + "\n";
+  if (!approach.empty()) text += "on the way to the start: " + approach + "\n";
   if (check.slowest) {
-    text += fmt::format("slowest place: {:.3g} m/s at {}, where the path has {:.3g} m/s\n",
+    text += fmt::format("slowest place: {:.3g} m/s at {}, where the path asks for {:.3g} m/s\n",
                         check.slowest->speed,
                         place_on_path(path.waypoint, check.slowest->waypoint, check.slowest->way),
                         check.slowest->wanted);
@@ -87,7 +87,7 @@ std::string summary_of(const PathForRobot& path, const ToolCheck& check,
       check.margins.begin(), check.margins.end(),
       [](const JointMargin& a, const JointMargin& b) { return a.margin < b.margin; });
   if (std::isfinite(least->margin)) {
-    text += fmt::format("nearest to an end of its range: J{}, {:.3g} rad from it at {}\n",
+    text += fmt::format("nearest to a joint limit: J{}, {:.3g} rad from it at {}\n",
                         least - check.margins.begin() + 1, least->margin,
                         place_on_path(path.waypoint, least->waypoint, 1));
   }

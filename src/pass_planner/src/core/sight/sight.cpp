@@ -49,13 +49,13 @@ void describe(scan_cell_common::ParameterTable& table, SightParameters& paramete
   table.add("max_sight_angle", parameters.max_sight_angle, angle,
             "between the surface's normal and the camera's sight");
   table.add("min_range", parameters.min_range, range,
-            "along the camera's axis, as `laser_triangulation` has it");
+            "along the camera's axis, as in `laser_triangulation`");
   table.add("max_range", parameters.max_range, range, "along the camera's axis");
   table.add("region_x", parameters.region_x, pixels,
-            "first column of the image, as the camera's node has it");
+            "first column of the image, as in the camera's node");
   table.add("region_y", parameters.region_y, pixels, "first row of the image");
-  table.add("region_width", parameters.region_width, pixels, "0: to the sensor's right end");
-  table.add("region_height", parameters.region_height, pixels, "0: to the sensor's bottom");
+  table.add("region_width", parameters.region_width, pixels, "0: to the sensor's right edge");
+  table.add("region_height", parameters.region_height, pixels, "0: to the sensor's bottom edge");
   if (parameters.min_range < parameters.max_range) return;
   table.refuse("min_range", fmt::format("{:g}", parameters.min_range),
                fmt::format("give less than max_range, {:g}", parameters.max_range));
@@ -94,8 +94,7 @@ SightCheck::Window SightCheck::window_of(const scan_cell::CameraRegion& region,
     if (end <= sensor && end - first > 2 * kBorder) return Vector2d(first, end - 1);
     throw scan_cell_common::InvalidParameter(
         fmt::format("{}_{}", name, axis), fmt::format("{:g} .. {:g} px", first, end - 1),
-        fmt::format("give a region of the sensor, which has {:g} px, as the camera has it",
-                    sensor));
+        fmt::format("give the camera's region, within the sensor's {:g} px", sensor));
   };
   const Vector2d columns = range("x", region.x, region.width, scanner_.camera.width);
   const Vector2d rows = range("y", region.y, region.height, scanner_.camera.height);

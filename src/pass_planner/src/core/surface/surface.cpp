@@ -90,7 +90,7 @@ struct Surface::Implementation {
 
 Surface::Surface(const SurfaceShape& shape) {
   if (shape.triangles.empty()) {
-    throw scan_cell_common::UnusableInput("surface", "it has no triangle",
+    throw scan_cell_common::UnusableInput("surface", "no triangles",
                                           "give a mesh or a cloud of the part");
   }
   implementation_ = std::make_unique<Implementation>(shape);

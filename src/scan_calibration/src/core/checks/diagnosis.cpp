@@ -65,8 +65,8 @@ PosePairs shifted(const PosePairs& pairs, int shift) {
       fmt::format("out of step with the images: from {} on, {} images go with the pose of the "
                   "{}view {} it",
                   from, share(part, whole), place, shift > 0 ? "after" : "before"),
-      shift > 0 ? "before that view, a pose too many was recorded or an image is missing"
-                : "before that view, an image too many was recorded or a pose is missing");
+      shift > 0 ? "before that view, one pose too many was recorded or an image is missing"
+                : "before that view, one image too many was recorded or a pose is missing");
 }
 
 void check_step(const PosePairs& pairs, const Isometry3d& half_turn) {

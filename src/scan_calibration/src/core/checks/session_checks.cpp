@@ -132,7 +132,7 @@ void check_distinct(const BoardViews& views) {
   if (distinct.size() < kMinViews) {
     throw UnusableInput(
         "poses of the session",
-        fmt::format("{} different ones in {} views: {}", distinct.size(), views.size(), repeated),
+        fmt::format("only {} different in {} views: {}", distinct.size(), views.size(), repeated),
         fmt::format("record the pose of every view; {} different ones are needed, 15 or more are "
                     "recommended",
                     kMinViews));

@@ -52,7 +52,7 @@ Eigen::Isometry3d board_pose(const BoardView& view,
   cv::Vec3d rotation, translation;
   if (!cv::solvePnP(points.places, points.pixels, camera_matrix(camera), distortion(camera),
                     rotation, translation, false, cv::SOLVEPNP_IPPE)) {
-    throw UnusableInput("view " + view.name, "its corners fit no pose",
+    throw UnusableInput("view " + view.name, "no pose fits its corners",
                         "check the order of the corners");
   }
   return pose_of(rotation, translation);

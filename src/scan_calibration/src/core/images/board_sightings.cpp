@@ -58,7 +58,7 @@ void leave_out_repeated_poses(const Session& session, std::vector<BoardSighting>
       const Eigen::Matrix4d change =
           session.views[i].base_to_flange.matrix() - session.views[k].base_to_flange.matrix();
       if (change.cwiseAbs().maxCoeff() > kSame) continue;
-      leave_out(views[i], "its pose is that of " + session.views[k].name + " again");
+      leave_out(views[i], "repeats the pose of " + session.views[k].name);
       break;
     }
   }

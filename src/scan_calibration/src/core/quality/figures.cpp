@@ -76,7 +76,7 @@ JudgedView judge_view(const ScannerState& state, const BoardSurface& surface,
   JudgedView judged;
   judged.camera_to_board = (view.measured * state.flange_to_camera).inverse() * state.base_to_board;
   if (!fit_pose(state, surface, view, judged.camera_to_board)) {
-    throw scan_cell_common::UnusableInput("view " + view.name, "its corners fit no pose",
+    throw scan_cell_common::UnusableInput("view " + view.name, "no pose fits its corners",
                                           "check its corners");
   }
   const BoardSight sight = board_sight(judged.camera_to_board);

@@ -22,7 +22,7 @@ std::vector<std::size_t> laser_columns(const CsvReader& table,
   const auto& head = table.fields();
   const std::vector<std::string_view> pose = {"image", "x", "y", "z", "qx", "qy", "qz", "qw"};
   if (head.size() < kPoseColumns || !std::equal(pose.begin(), pose.end(), head.begin())) {
-    table.refuse("no such header",
+    table.refuse("wrong header",
                  "begin with image,x,y,z,qx,qy,qz,qw and a column for each laser: laser_0");
   }
   std::vector<std::size_t> columns;
@@ -58,7 +58,7 @@ std::vector<SessionView> parse_session_poses(const std::string& text, const std:
   const auto take = [&](std::string_view file) {
     const auto [known, added] = lines.emplace(file, table.line());
     if (!added) {
-      table.refuse(fmt::format("'{}' again, first in line {}", file, known->second),
+      table.refuse(fmt::format("'{}' repeated, first in line {}", file, known->second),
                    "give each view files of its own");
     }
     return std::string(file);

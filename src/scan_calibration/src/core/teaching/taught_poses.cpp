@@ -81,7 +81,7 @@ void refuse_repeated(const TaughtPoses& taught, const std::string& name) {
       if ((taught.poses[i].matrix() - taught.poses[k].matrix()).cwiseAbs().maxCoeff() > kSame)
         continue;
       throw UnusableInput(fmt::format("{}: line {}", name, taught.lines[i]),
-                          fmt::format("the pose of line {} again", taught.lines[k]),
+                          fmt::format("repeats the pose of line {}", taught.lines[k]),
                           "leave one out or teach another pose");
     }
   }
@@ -95,7 +95,7 @@ std::size_t append_taught_pose(const std::string& path, const Eigen::Isometry3d&
   if (!text.empty() && text.back() != '\n') text += '\n';
   CsvReader table(text, path);
   if (!table.next() || table.fields() != kPoseHead)
-    throw UnusableInput(path, "no file of poses in metres", "give another file");
+    throw UnusableInput(path, "not a file of poses in metres", "give another file");
   const Eigen::Vector3d p = flange.translation();
   const Eigen::Quaterniond q(flange.linear());
   text += fmt::format("{},{},{},{},{},{},{}\n", p.x(), p.y(), p.z(), q.x(), q.y(), q.z(), q.w());

@@ -51,7 +51,7 @@ class YamlEntry {
     try {
       return node_.as<T>();
     } catch (const YAML::Exception&) {
-      refuse("of the wrong type", "correct it");
+      refuse("wrong type", "correct it");
     }
   }
 

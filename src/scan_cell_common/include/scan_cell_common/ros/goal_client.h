@@ -98,8 +98,8 @@ class GoalClient {
   /// @throw ConnectionError always: the goal was not taken within `timeout` [s]
   [[noreturn]] void give_up(double timeout) {
     cancel();
-    throw ConnectionError(name_, fmt::format("did not take the goal within {:g} s", timeout),
-                          "wait until it has nothing else to do; look at the cell's log");
+    throw ConnectionError(name_, fmt::format("did not accept the goal within {:g} s", timeout),
+                          "wait until it is idle; see the cell's log");
   }
 
  private:

@@ -46,7 +46,7 @@ void expect_renamed(const std::vector<std::pair<std::string, std::string>>& name
       describe(table, parameters);
       ADD_FAILURE() << old << " is not refused";
     } catch (const InvalidParameter& error) {
-      EXPECT_EQ(error.what(), old + ": renamed; its name is " + now + " now");
+      EXPECT_EQ(error.what(), old + ": renamed; use " + now);
     }
     OldName all("");
     describe(all, parameters);

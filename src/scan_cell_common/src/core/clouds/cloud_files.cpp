@@ -39,7 +39,7 @@ bool has_profiles(const CloudFormat& format) {
   const bool profiles = format.profile_step != 0;
   if (columns != profiles) {
     throw InvalidParameter(columns ? "profile_step" : "column_step", "0",
-                           "give both steps of depth profiles, or none for points");
+                           "give both steps for depth profiles, neither for points");
   }
   for (const double step : {format.column_step, format.profile_step}) {
     if (std::isfinite(step)) continue;
@@ -115,8 +115,8 @@ LoadedCloud load(const std::string& path, const CloudFormat& format, FieldedClou
                     "give a cloud as .ply, .pcd, .xyz, .csv, .txt or .asc");
   }
   if (profiles && !text) {
-    throw InvalidParameter("column_step", path + " is no depth profiles",
-                           "give the steps for profiles in .csv or .txt alone");
+    throw InvalidParameter("column_step", "given for " + path,
+                           "give the steps only for depth profiles in .csv or .txt");
   }
   const std::string bytes = read_file(path);
   LoadedCloud loaded;
@@ -131,7 +131,7 @@ LoadedCloud load(const std::string& path, const CloudFormat& format, FieldedClou
     const std::size_t faces = faces_of_ply(bytes);
     if (faces > 0) {
       loaded.notes.push_back(
-          fmt::format("its {} faces are left out: its vertices are taken for the points", faces));
+          fmt::format("its {} faces are left out; its vertices are the points", faces));
     }
   }
   finish(path, format, carried, loaded);

@@ -147,7 +147,7 @@ void check_coordinates(const std::vector<CloudField>& fields) {
     if (field == fields.end())
       throw UnusableInput("cloud: field " + name, "missing", "give a cloud with x, y and z");
     if (field->type != FieldType::kFloat32)
-      throw UnusableInput("cloud: field " + name, "no float32", "give x, y and z as float32");
+      throw UnusableInput("cloud: field " + name, "not float32", "give x, y and z as float32");
   }
 }
 

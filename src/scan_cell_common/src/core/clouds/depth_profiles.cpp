@@ -56,7 +56,7 @@ LoadedCloud parse_depth_profiles(std::string_view bytes, const std::string& sour
     }
   }
   loaded.notes.push_back(
-      fmt::format("{} profiles of {} columns, {} of their {} values are no measurement", profiles,
+      fmt::format("{} profiles of {} columns, {} of their {} values are not measurements", profiles,
                   columns, empty, profiles * columns));
   loaded.cloud.width = static_cast<std::uint32_t>(loaded.cloud.points.size());
   loaded.cloud.height = 1;

@@ -17,7 +17,7 @@ void check(const CloudView& cloud) {
   for (const CloudField& field : cloud.fields) {
     const std::size_t size = size_of(field.type);
     if (size == 0 || field.offset > cloud.step || size > cloud.step - field.offset) {
-      throw UnusableInput("cloud: field " + field.name, "not within the point",
+      throw UnusableInput("cloud: field " + field.name, "extends beyond the point",
                           "check the program that made the cloud");
     }
   }

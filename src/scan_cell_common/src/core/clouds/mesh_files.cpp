@@ -91,7 +91,7 @@ pcl::index_t corner_of(std::string_view word, std::size_t vertices, const std::s
   const bool backwards = !first.empty() && first[0] == '-';
   const std::optional<std::uint64_t> number = parse_count(backwards ? first.substr(1) : first);
   if (!number || *number == 0 || *number > (backwards ? vertices : kMost)) {
-    throw FileError(where, "a face of vertex '" + excerpt(first) + "'", "export the part again");
+    throw FileError(where, "a face with vertex '" + excerpt(first) + "'", "export the part again");
   }
   return static_cast<pcl::index_t>(backwards ? vertices - *number : *number - 1);
 }
@@ -108,13 +108,13 @@ pcl::PolygonMesh parse_stl(std::string_view bytes, const std::string& source) {
     if (!is_text) {
       throw FileError(
           source,
-          fmt::format("no STL file, or truncated: {} of {} bytes are there", bytes.size(), wanted),
+          fmt::format("not an STL file, or truncated: it has {} of {} bytes", bytes.size(), wanted),
           "export the part again");
     }
   }
   LineReader lines(text, source);
   if (!lines.next_filled() || lower_case(lines.words()[0]) != "solid") {
-    throw FileError(source, "no STL file", "give a mesh as STL or OBJ");
+    throw FileError(source, "not an STL file", "give a mesh as STL or OBJ");
   }
   return parse_ascii_stl(text, source);
 }
@@ -129,7 +129,7 @@ pcl::PolygonMesh parse_obj(std::string_view bytes, const std::string& source) {
       vertices.points.push_back(vertex_of(words, lines.where()));
     } else if (words[0] == "f") {
       if (words.size() < 4) {
-        throw FileError(lines.where(), fmt::format("a face of {} corners", words.size() - 1),
+        throw FileError(lines.where(), fmt::format("a face with {} corners", words.size() - 1),
                         "give at least three");
       }
       polygons.emplace_back();

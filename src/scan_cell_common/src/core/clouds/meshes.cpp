@@ -106,7 +106,8 @@ void check_corners(const std::vector<pcl::Vertices>& polygons, std::size_t verti
     for (const pcl::index_t corner : polygon.vertices) {
       if (static_cast<std::size_t>(corner) < vertices) continue;
       throw FileError(
-          source, fmt::format("a face of vertex {} of {}", std::int64_t{corner} + first, vertices),
+          source,
+          fmt::format("a face with vertex {} of {}", std::int64_t{corner} + first, vertices),
           "export the part again");
     }
   }
@@ -124,7 +125,7 @@ pcl::PolygonMesh triangulated(const pcl::PolygonMesh& mesh, const std::string& s
       continue;
     }
     if (corners > kMaxCorners) {
-      throw FileError(source, fmt::format("a face of {} corners", corners),
+      throw FileError(source, fmt::format("a face with {} corners", corners),
                       "export the part as triangles");
     }
     Ears(polygon, vertices).cut(result.polygons);

@@ -80,7 +80,7 @@ void set_fields(Header& header, const Words& words, const std::string& where) {
 void set_size(Header& header, const Words& words, const std::string& where) {
   constexpr std::uint64_t kMost = 0x7fffffff;
   const std::string_view key = words[0];
-  if (words.size() != 2) throw FileError(where, "no single number", "correct the header");
+  if (words.size() != 2) throw FileError(where, "not exactly one number", "correct the header");
   const std::uint64_t count = count_of(words[1], kMost, where);
   if (key == "WIDTH") header.width = count;
   if (key == "HEIGHT") header.height = count;
@@ -109,7 +109,7 @@ Header header_of(LineReader& lines, const std::string& source) {
                       "give a cloud as PLY or PCD");
     }
   }
-  throw FileError(source, "no PCD file, or one whose header has no end", "write the file again");
+  throw FileError(source, "not a PCD file, or its header has no end", "write the file again");
 }
 
 /// @return number of points that the header promises
@@ -157,14 +157,14 @@ Layout layout_of(const Header& header, const std::string& source, FieldedCloud* 
     layout.size += field.count * field.size;
   }
   if (times == std::array<int, 3>{1, 1, 1}) return layout;
-  throw FileError(source, "no single x, y and z as float or double",
+  throw FileError(source, "not exactly one x, y and z as float or double",
                   "write it again with x, y and z as float or double");
 }
 
 [[noreturn]] void refuse_truncated(const std::string& source, std::uint64_t points,
                                    std::size_t bytes) {
   throw FileError(source,
-                  fmt::format("truncated: its header promises {} points, it has {} bytes for them",
+                  fmt::format("truncated: its header promises {} points, but only {} bytes follow",
                               points, bytes),
                   "write the file again");
 }
@@ -185,7 +185,7 @@ void read_ascii(LineReader& lines, const Layout& layout, std::uint64_t points,
   };
   for (std::uint64_t i = 0; i < points; ++i) {
     if (!lines.next_filled()) {
-      throw FileError(source, fmt::format("truncated: {} of {} points are there", i, points),
+      throw FileError(source, fmt::format("truncated: it has {} of {} points", i, points),
                       "write the file again");
     }
     const Words& words = lines.words();
@@ -254,7 +254,7 @@ std::string unpacked(std::string_view bytes, std::uint64_t wanted, const std::st
   }
   std::string result(size, '\0');
   if (lzf_decompress(packed.data(), packed_size, result.data(), size) != size) {
-    throw FileError(source, "its compressed points are broken", "write the file again");
+    throw FileError(source, "its compressed points are corrupt", "write the file again");
   }
   return result;
 }

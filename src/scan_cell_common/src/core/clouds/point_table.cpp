@@ -95,7 +95,7 @@ std::optional<Columns> columns_of(const Words& header) {
 
 [[noreturn]] void refuse_profiles(const TableReader& table) {
   table.refuse(fmt::format("{} columns and no header", table.fields().size()),
-               "name x, y and z in a header, or of depth profiles give the steps (--column-step, "
+               "name x, y and z in a header, or give the steps of depth profiles (--column-step, "
                "--profile-step)");
 }
 
@@ -108,8 +108,9 @@ Columns find_columns(const TableReader& table, bool& is_header) {
     if (columns) return *columns;
     // A point may be followed by words; a header begins with them.
     if (first.size() < 3 || !std::all_of(first.begin(), first.begin() + 3, is_number)) {
-      table.refuse("no header with one x, one y and one z, nor numbers: '" + excerpt(first[0]) +
-                       (first.size() > 1 ? "', '" + excerpt(first[1]) : "") + "'",
+      table.refuse("neither numbers nor a header with one x, one y and one z: '" +
+                       excerpt(first[0]) + (first.size() > 1 ? "', '" + excerpt(first[1]) : "") +
+                       "'",
                    "name the columns x, y and z, or begin each line with them");
     }
     is_header = false;

@@ -25,10 +25,10 @@ void check_readable(const std::string& path) {
   }
   if (failure) throw FileError(path, failure.message(), "check the path and its permissions");
   if (!fs::is_regular_file(status)) {
-    throw FileError(path, "no file but a folder, a device or a pipe", "give a file");
+    throw FileError(path, "a folder, a device or a pipe, not a file", "give a file");
   }
   if (fs::file_size(path, failure) > kLargest) {
-    throw FileError(path, "larger than 2 GiB", "reduce what it holds");
+    throw FileError(path, "larger than 2 GiB", "split it or make it smaller");
   }
 }
 
@@ -102,7 +102,7 @@ void check_output(const std::string& path, const std::vector<std::string>& endin
   std::error_code failure;
   const fs::path folder = fs::path(path).parent_path();
   if (!folder.empty() && !fs::is_directory(folder, failure)) {
-    throw FileError(path, "no folder '" + folder.string() + "'", "make it, or check the path");
+    throw FileError(path, "no folder '" + folder.string() + "'", "create it, or check the path");
   }
 }
 

@@ -18,7 +18,7 @@ std::string reason_to_keep(const std::string& path) {
   std::error_code failure;
   const fs::file_status status = fs::symlink_status(path, failure);
   if (!fs::exists(status) || fs::is_regular_file(status)) return "";
-  return fs::is_symlink(status) ? "is a symbolic link" : "is no file";
+  return fs::is_symlink(status) ? "is a symbolic link" : "is not a file";
 }
 
 /// Splits off the values of an option, `--name value` or `--name=value`.
@@ -50,7 +50,7 @@ void remove_old(const std::string& path) {
   if (!reason.empty()) throw FileError(path, reason, "give a file of its own");
   std::error_code failure;
   fs::remove(path, failure);
-  if (failure) throw FileError(path, failure.message(), "give a file of yours");
+  if (failure) throw FileError(path, failure.message(), "give a file that you own");
 }
 
 CLI::Option* Outputs::add(CLI::App& app, const std::string& name, std::string& path,

@@ -14,7 +14,7 @@ TemporaryFolder::TemporaryFolder(const std::string& name) {
   std::error_code failure;
   std::string made = (fs::temp_directory_path(failure) / (name + "_XXXXXX")).string();
   if (failure || mkdtemp(made.data()) == nullptr)
-    throw FileError(made, "no such folder can be made", "check the folder for temporary files");
+    throw FileError(made, "cannot be created", "check the folder for temporary files");
   path_ = made;
 }
 

@@ -96,7 +96,7 @@ Eigen::Isometry3d YamlEntry::pose() const {
 }
 
 std::vector<YamlEntry> YamlEntry::elements() const {
-  if (!node_.IsSequence()) refuse("no list", "give a list");
+  if (!node_.IsSequence()) refuse("not a list", "give a list");
   std::vector<YamlEntry> result;
   for (std::size_t i = 0; i < node_.size(); ++i) {
     result.emplace_back(node_[i], file_, fmt::format("{}[{}]", name_, i));

@@ -109,7 +109,7 @@ void refuse_renamed(CLI::App& app, const std::vector<std::pair<std::string, std:
   constexpr const char* kHidden = "";
   for (const auto& [old, now] : names) {
     const auto refuse = [old = old, now = now](const std::vector<std::string>&) {
-      throw InvalidParameter(old, "renamed", fmt::format("its name is {} now", now));
+      throw InvalidParameter(old, "renamed", fmt::format("use {}", now));
     };
     app.add_option_function<std::vector<std::string>>(old, refuse)
         ->expected(0, CLI::detail::expected_max_vector_size)

@@ -90,7 +90,7 @@ std::size_t ParameterTable::place(const std::string& name, std::size_t value,
 
 void ParameterTable::renamed(const std::string& old, const std::string& now) {
   if (!is_given(prefix_ + old, prefix_ + now)) return;
-  refuse(old, "renamed", fmt::format("its name is {} now", prefix_ + now));
+  refuse(old, "renamed", fmt::format("use {}", prefix_ + now));
 }
 
 void ParameterTable::refuse(const std::string& name, const std::string& value,

@@ -82,8 +82,8 @@ void save(const std::string& path, const YAML::Node& root) {
   YAML::Emitter out;
   if (root[kUncertainty])
     out << YAML::Comment(
-               "uncertainty: [m] of a scanned point in tool0, by laser, as camera, its pose on the "
-               "flange and laser plane are known; 0: not known")
+               "uncertainty: [m] of a scanned point in tool0, by laser, due to camera, its pose on "
+               "the flange and laser plane; 0: not known")
         << YAML::Newline;
   out << root;
   const std::string text = std::string(out.c_str()) + "\n";

@@ -47,7 +47,7 @@ std::string tell(const std::string& word, const std::string& fault,
   const std::string typed = word.substr(0, word.find('='));
   const std::string nearest = nearest_name(typed, names);
   return excerpt(typed) + ": " + fault + "; " +
-         (nearest.empty() ? "--help lists what there is" : "did you mean " + nearest + "?");
+         (nearest.empty() ? "see --help" : "did you mean " + nearest + "?");
 }
 
 /// Reports words that the tool does not know, since they are the cause of whatever else is missing.

@@ -72,7 +72,7 @@ void LoadedPath::add(const json& request) {
   }
   const json& list = entry(request, "waypoints");
   if (!list.is_array() || list.empty()) {
-    throw ControllerRefusal(Code::kMalformed, "waypoints is no list of some");
+    throw ControllerRefusal(Code::kMalformed, "waypoints is not a list, or is empty");
   }
   if (list.size() > size_ - waypoints_.size()) {
     throw ControllerRefusal(Code::kNoPath, fmt::format("more than {} waypoints", size_));
@@ -87,8 +87,8 @@ void LoadedPath::add(const json& request) {
 std::size_t LoadedPath::check(const json& request) const {
   require(request);
   if (waypoints_.size() < size_) {
-    throw ControllerRefusal(Code::kNoPath,
-                            fmt::format("{} of {} waypoints are here", waypoints_.size(), size_));
+    throw ControllerRefusal(Code::kNoPath, fmt::format("only {} of {} waypoints were loaded",
+                                                       waypoints_.size(), size_));
   }
   if (whole(entry(request, "checksum"), "checksum") != checksum()) {
     throw ControllerRefusal(Code::kNoPath, fmt::format("the checksum is {}", checksum()));

@@ -10,8 +10,8 @@ namespace scan_cell_common {
 
 void refuse_truncated(const std::string& source, const PlyElement& element, std::uint64_t read) {
   throw FileError(source,
-                  fmt::format("truncated: {} of {} of its element '{}' are there", read,
-                              element.count, excerpt(element.name)),
+                  fmt::format("truncated: it has {} of {} of the element '{}'", read, element.count,
+                              excerpt(element.name)),
                   "write the file again");
 }
 
@@ -20,8 +20,7 @@ void check_count(const PlyElement& element, std::size_t min_size, std::size_t le
   if (element.count <= left / min_size) return;
   throw FileError(
       source,
-      fmt::format("truncated: its header promises {} of the element '{}', it has {} bytes for "
-                  "them",
+      fmt::format("truncated: its header promises {} of the element '{}', but only {} bytes follow",
                   element.count, excerpt(element.name), left),
       "write the file again");
 }

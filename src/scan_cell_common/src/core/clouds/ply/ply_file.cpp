@@ -30,7 +30,8 @@ std::array<std::size_t, 3> find_coordinates(const PlyElement& vertex, const std:
       continue;
     }
     throw FileError(
-        source, "its vertices have no single " + std::string(kNames[axis]) + " as float or double",
+        source,
+        "its vertices do not have exactly one " + std::string(kNames[axis]) + " as float or double",
         "write it again with x, y and z as float or double");
   }
   return found;
@@ -39,7 +40,7 @@ std::array<std::size_t, 3> find_coordinates(const PlyElement& vertex, const std:
 const PlyElement& vertex_of(const PlyHeader& header, const std::string& source) {
   const auto is_vertex = [](const PlyElement& element) { return element.name == "vertex"; };
   if (std::count_if(header.elements.begin(), header.elements.end(), is_vertex) != 1) {
-    throw FileError(source, "no single element 'vertex'", "write it again with x, y and z");
+    throw FileError(source, "not exactly one element 'vertex'", "write it again with x, y and z");
   }
   return *std::find_if(header.elements.begin(), header.elements.end(), is_vertex);
 }
@@ -122,7 +123,7 @@ Cloud read_cloud(const PlyHeader& header, Body& body, const std::string& source,
 pcl::index_t checked_corner(std::uint64_t corner, const std::string& source) {
   if (corner <= static_cast<std::uint64_t>(std::numeric_limits<pcl::index_t>::max()))
     return static_cast<pcl::index_t>(corner);
-  throw FileError(source, fmt::format("a face of vertex {}", corner), "export the part again");
+  throw FileError(source, fmt::format("a face with vertex {}", corner), "export the part again");
 }
 
 template <class Body>
@@ -132,12 +133,12 @@ pcl::PolygonMesh read_mesh(const PlyHeader& header, Body& body, const std::strin
   const auto take_face = [&](const PlyElement& face, const typename Body::Values& values) {
     const std::optional<std::size_t> at = corners_of(face);
     if (!at) {
-      throw FileError(source, "its faces have no single list of corners",
+      throw FileError(source, "its faces do not have exactly one list of corners",
                       "write it again with the list vertex_indices");
     }
     body.list(values[*at], face.properties[*at], corners);
     if (corners.size() < 3) {
-      throw FileError(source, fmt::format("a face of {} corners", corners.size()),
+      throw FileError(source, fmt::format("a face with {} corners", corners.size()),
                       "give at least three");
     }
     polygons.emplace_back();

@@ -37,7 +37,7 @@ PlyFormat format_of(const Words& words, const std::string& where) {
 
 PlyElement element_of(const Words& words, const std::string& where) {
   const auto count = words.size() == 3 ? parse_count(words[2]) : std::nullopt;
-  if (!count) throw FileError(where, "no name and count of an element", "correct the header");
+  if (!count) throw FileError(where, "an element without name and count", "correct the header");
   return {std::string(words[1]), *count, {}};
 }
 
@@ -45,19 +45,20 @@ PlyProperty property_of(const Words& words, const std::string& where) {
   if (words.size() == 5 && words[1] == "list") {
     const Scalar count_type = scalar_of(words[2], where);
     if (is_real(count_type)) {
-      throw FileError(where, "a list counted in '" + excerpt(words[2]) + "'", "count in integers");
+      throw FileError(where, "a list with a count of type '" + excerpt(words[2]) + "'",
+                      "give an integer type");
     }
     return {std::string(words[4]), scalar_of(words[3], where), true, count_type};
   }
   if (words.size() == 3) return {std::string(words[2]), scalar_of(words[1], where)};
-  throw FileError(where, "no type and name of a property", "correct the header");
+  throw FileError(where, "a property without type and name", "correct the header");
 }
 
 }  // namespace
 
 PlyHeader read_ply_header(LineReader& lines, const std::string& source) {
   if (!lines.next() || lines.words() != Words{"ply"}) {
-    throw FileError(source, "no PLY file", "give a cloud as PLY or PCD");
+    throw FileError(source, "not a PLY file", "give a cloud as PLY or PCD");
   }
   PlyHeader header;
   bool has_format = false;

@@ -33,7 +33,7 @@ void refuse_line(const Vector3d& first, const Vector3d& second) {
 AngleAxisd turn_between(const Matrix3d& from, const Matrix3d& to, const std::string& what) {
   constexpr double kMost = 179.9 * M_PI / 180;  // [rad] c4g_protocol.md
   const AngleAxisd turn(from.transpose() * to);
-  if (turn.angle() > kMost) refuse(what + " is half a turn: which way round is open");
+  if (turn.angle() > kMost) refuse(what + " is half a turn: its direction is ambiguous");
   return turn;
 }
 

@@ -32,7 +32,7 @@ TipLine::TipLine(const Isometry3d& from, const Isometry3d& to, double turn_radiu
                  std::size_t waypoint)
     : from_(from), move_(to.translation() - from.translation()) {
   const AngleAxisd turn(from.linear().transpose() * to.linear());
-  if (turn.angle() > kMostTurn) refuse(waypoint, "half a turn, which way round is open");
+  if (turn.angle() > kMostTurn) refuse(waypoint, "half a turn, its direction is ambiguous");
   turn_ = turn.angle() * turn.axis();
   if (on_the_spot() && turn.angle() < kNoTurn) refuse(waypoint, "the same as the one before");
   measure_ = std::max(length(), angle() * turn_radius);

@@ -12,13 +12,13 @@ const std::array<WireFault, 10> kWireFaults = {
     {{"lost", &WireFaults::lost, 1, false, "is lost"},
      {"repeated", &WireFaults::repeated, 1, false, "comes twice"},
      {"delayed", &WireFaults::delayed, 1, false, "comes later than others sent after it"},
-     {"delay", &WireFaults::delay, 10, true, "of what is delayed"},
-     {"jitter", &WireFaults::jitter, 10, true, "most that each is later by"},
+     {"delay", &WireFaults::delay, 10, true, "delay of a delayed datagram"},
+     {"jitter", &WireFaults::jitter, 10, true, "longest random delay of each datagram"},
      {"held", &WireFaults::held, 1, false, "begins a burst: it and all after it come at once"},
-     {"hold", &WireFaults::hold, 10, true, "until a burst comes"},
+     {"hold", &WireFaults::hold, 10, true, "how long a burst is held back"},
      {"flipped", &WireFaults::flipped, 1, false, "has one to three bits flipped"},
-     {"truncated", &WireFaults::truncated, 1, false, "has no end"},
-     {"silence", &WireFaults::silence, 3600, true, "in which nothing passes, from now on"}}};
+     {"truncated", &WireFaults::truncated, 1, false, "is truncated"},
+     {"silence", &WireFaults::silence, 3600, true, "for which nothing passes, from now on"}}};
 
 void check(const WireFaults& faults, const std::string& prefix) {
   for (const WireFault& fault : kWireFaults) {

@@ -56,7 +56,7 @@ const json& entry(const json& request, const std::string& name) {
 }
 
 std::string text(const json& value, const std::string& name) {
-  if (!value.is_string()) throw ControllerRefusal(Code::kMalformed, name + " is not a text");
+  if (!value.is_string()) throw ControllerRefusal(Code::kMalformed, name + " is not a string");
   return value.get<std::string>();
 }
 
