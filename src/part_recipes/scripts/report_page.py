@@ -31,16 +31,16 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__)
     add_version(parser)
     parser.add_argument('folder', help='of the run')
-    parser.add_argument('--output', help='the page; report.html in the folder, if not given')
-    parser.add_argument('--three', default=THREE, help='three.min.js, for the view that turns')
+    parser.add_argument('--output', help='the page; default: report.html in the folder')
+    parser.add_argument('--three', default=THREE, help='three.min.js, for the interactive view')
     parser.add_argument('--tools', default=os.path.dirname(os.path.realpath(sys.argv[0])),
-                        help='folder of the tool report_scene; that of this script, if not given')
+                        help='folder of the tool report_scene; default: that of this script')
     options = parser.parse_args()
     from report.page import render  # after --help: they draw, and take a second to load
     from report.run_folder import RunFolder, UnusableRun
     output = options.output or os.path.join(options.folder, 'report.html')
     if not output.endswith('.html'):
-        sys.exit('report_page: %s: no name of a page; end it with .html' % output)
+        sys.exit('report_page: %s: not a page; end it with .html' % output)
     try:
         if os.path.exists(output):
             os.remove(output)  # a page that lies there is always of this call

@@ -53,9 +53,9 @@ def main():
     try:
         own = own_copy(options.settings)
     except OSError as error:
-        sys.exit('own_rviz.py: %s: %s; give a file of settings that is there, and a ROS_HOME that can be written'
+        sys.exit('own_rviz.py: %s: %s; give an existing file of settings, and a ROS_HOME that can be written'
                  % (error.filename, error.strerror))
-    print('settings of rviz: %s; remove it to begin anew with %s' % (own, options.settings), flush=True)
+    print('settings of rviz: %s; remove it to start again with %s' % (own, options.settings), flush=True)
     if is_newer(options.settings, own):
         print('own_rviz.py: %s is newer than that copy' % options.settings, flush=True)
     os.execvp('rosrun', ['rosrun', 'rviz', 'rviz', '-d', own] + others)

@@ -274,7 +274,7 @@ Der Roboter kommt nicht dorthin.</translation>
 <context>
     <name>scan_cell_rviz::ClusterTool</name>
     <message>
-        <source>Cluster: click a point; all that hangs together with it is deleted, or alone kept.</source>
+        <source>Cluster: click a point; everything connected to it is deleted, or alone is kept.</source>
         <translation>Haufen: einen Punkt anklicken; alles, was mit ihm zusammenhängt, wird gelöscht oder allein behalten.</translation>
     </message>
     <message>
@@ -900,7 +900,7 @@ Der Roboter kommt nicht dorthin.</translation>
 <context>
     <name>scan_cell_rviz::PlaneTool</name>
     <message>
-        <source>Plane: click three points. The side of the viewer is deleted, or alone kept.</source>
+        <source>Plane: click three points. The viewer&apos;s side is deleted, or alone is kept.</source>
         <translation>Ebene: drei Punkte anklicken. Die Seite des Betrachters wird gelöscht oder allein behalten.</translation>
     </message>
     <message>
@@ -911,7 +911,7 @@ Der Roboter kommt nicht dorthin.</translation>
 <context>
     <name>scan_cell_rviz::PolygonTool</name>
     <message>
-        <source>Polygon: click its corners, the first on the cloud; Return or a double click closes it, Escape begins anew.</source>
+        <source>Polygon: click its corners, the first on the cloud; Return or a double click closes it, Escape starts again.</source>
         <translation>Polygon: Ecken anklicken, die erste auf der Wolke; Eingabe oder Doppelklick schließt es, Esc beginnt neu.</translation>
     </message>
     <message>
@@ -938,7 +938,7 @@ Der Roboter kommt nicht dorthin.</translation>
         <translation>&amp;3 Anpassung</translation>
     </message>
     <message>
-        <source>Stops the robot and ends what is under way. It is no emergency stop.</source>
+        <source>Stops the robot and ends what is under way. It is not an emergency stop.</source>
         <translation>Hält den Roboter an und beendet, was läuft. Es ist kein Not-Halt.</translation>
     </message>
     <message>

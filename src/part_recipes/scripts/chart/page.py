@@ -35,13 +35,13 @@ def tables(data):
     others = [(i + 1, run['started'], run['state'], run['reason'], run['id']) for i, run in enumerate(runs)
               if run['state'] != 'accepted']
     notes = [(i + 1, run['started'], text, run['id']) for i, run in enumerate(runs)
-             for key, text in (('time_went_back', 'started before the run in front of it: the clock went back, or the '
-                                'run was added later'), ('recipe_changed', "the recipe's files changed"))
+             for key, text in (('time_went_back', 'started before the previous run: the clock went back, or the run '
+                                'was added later'), ('recipe_changed', "the recipe's files changed"))
              if run[key]]
     return ('<h2>Limits and capability</h2>'
             + table(('of', 'unit', 'mean', 'LCL', 'UCL', 'mean moving range', 'its UCL', 'limits', 'capability'),
                     figures)
-            + '<h2>Rules that are broken</h2>'
+            + '<h2>Broken rules</h2>'
             + (table(('of', 'rule', 'at run', 'id', 'runs that break it'), breaks) if breaks else '<p>none</p>')
             + '<h2>Runs that were not accepted</h2>'
             + (table(('run', 'started (UTC)', 'state', 'reason', 'id'), others) if others else '<p>none</p>')

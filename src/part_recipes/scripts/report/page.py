@@ -23,7 +23,7 @@ def three_script(run, path):
     try:
         return script(path)
     except OSError:
-        run.note('no view that turns: %s is missing; install libjs-three' % path)
+        run.note('no interactive view: %s is missing; install libjs-three' % path)
         return None
 
 

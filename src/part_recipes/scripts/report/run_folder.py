@@ -27,19 +27,19 @@ class UnusableRun(Exception):
 
 def without_nan(text):
     """JSON knows no NaN; Python's reader does."""
-    raise ValueError('%s is no number of JSON' % text)
+    raise ValueError('%s is not a JSON number' % text)
 
 
 def wrong_in(name, value):
     """What is of the wrong kind, in words, or None."""
     if not isinstance(value, dict):
-        return 'holds no record'
+        return 'is not a JSON object'
     for key, kind in SHAPES[name].items():
         part = value.get(key)
         if part is not None and not isinstance(part, kind):
-            return '%s is of the wrong kind' % key
+            return '%s has the wrong type' % key
         if key in LISTS_OF_RECORDS and not all(isinstance(each, dict) for each in part or []):
-            return '%s holds what is no record' % key
+            return '%s has an entry that is not a JSON object' % key
     return None
 
 
@@ -55,7 +55,7 @@ class RunFolder:
         except (ValueError, UnicodeDecodeError) as error:
             raise UnusableRun('%s: %s; give the folder of a run that was not changed'
                               % (self.path('run.json'), error)) from None
-        wrong = wrong_in('run.json', self.record) or (None if self.record.get('outcome') else 'holds no outcome')
+        wrong = wrong_in('run.json', self.record) or (None if self.record.get('outcome') else 'has no outcome')
         if wrong:
             raise UnusableRun('%s: %s; give the folder of a run' % (self.path('run.json'), wrong))
         self.report = self._json('report.json')

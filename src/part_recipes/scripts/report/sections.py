@@ -67,13 +67,13 @@ def deviations(run):
     summary = run.deviation
     if summary is None:
         return []
-    figures = [('Points', 'points', words.plain), ('of which without a surface near', 'unknown_points', words.plain),
+    figures = [('Points', 'points', words.plain), ('of which with no surface near', 'unknown_points', words.plain),
                ('RMS', 'rms', words.millimetres), ('Median', 'median', words.signed_millimetres),
                ('Smallest', 'min', words.signed_millimetres), ('Largest', 'max', words.signed_millimetres),
                ('Within the tolerance', 'within_tolerance_share', words.percent),
                ('Share of the reference that was not scanned', 'unscanned_share', words.percent),
-               ('Outside known by', 'outside_known_by', words.plain),
-               ('Farther off a surface is not near', 'reach', words.millimetres)]
+               ('Outside known from', 'outside_known_by', words.plain),
+               ('Largest distance at which a surface is near', 'reach', words.millimetres)]
     return [(name, key, write(summary.get(key))) for name, key, write in figures]
 
 

@@ -12,19 +12,19 @@ CURES = {
     'accepted': 'Check the figures below before you use the path.',
     'unusable_input': 'Do what the message says about the file that it names.',
     'too_few_points': 'Scan more densely, or lower min_points.',
-    'path_off_reference': "Give the path in the reference's frame; raise max_stand_off if the tool is led over the "
-                          'surface farther off.',
+    'path_off_reference': "Give the path in the reference's frame; raise max_stand_off if the tool moves farther "
+                          'above the surface.',
     'wrong_part': 'Check the part. If one whole region differs, remove what lies there: floor, clamps, neighbours. If '
                   'everything differs, it is another part.',
     'ambiguous': "Scan what breaks the part's symmetry, or give an initial pose.",
-    'mirrored_part': 'Take the part of the other hand, or the reference and path of this one.',
+    'mirrored_part': 'Take the part of the other hand, or the reference and path of this hand.',
     'scale_at_bound': 'Check the units; widen min_scale and max_scale if the size is right.',
     'path_not_scanned': 'Scan the region of the marked waypoints, or split the path.',
     'tolerance_exceeded': 'Use the general method, which follows a bend; check the part at the marked waypoints.',
     'position_uncertain': 'Scan edges or features that show where the part lies along itself; give scale or initial pose more '
-                          'closely; raise max_position_error if the process does not mind.',
+                          'closely; raise max_position_error if the process tolerates it.',
     'orientation_uncertain': 'Scan the surface beside the marked waypoints more densely, to both sides of them; raise '
-                             'max_orientation_error if the process does not mind.',
+                             'max_orientation_error if the process tolerates it.',
     'fold_over': 'Check part and scan, or lower deformation_level.',
     'cancelled': 'Run again.',
 }

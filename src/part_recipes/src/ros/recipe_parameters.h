@@ -17,8 +17,8 @@ struct RecipeParameters {
 
 inline void describe(scan_cell_common::ParameterTable& table, RecipeParameters& parameters) {
   table.add("recipes", parameters.recipes, "folder of the recipes");
-  table.add("runs", parameters.runs, "folder of the runs; it is made where it is missing");
-  table.add("timeout", parameters.timeout, {0.1, 3600, "s"}, "to wait for the cell");
+  table.add("runs", parameters.runs, "folder of the runs; made if missing");
+  table.add("timeout", parameters.timeout, {0.1, 3600, "s"}, "longest wait for the cell");
 }
 
 }  // namespace part_recipes

@@ -112,7 +112,7 @@ RunServer::Result RunServer::work_old(const Goal& goal) {
   check_name(goal.run);
   if (goal.work == Goal::NO_WORK)
     throw scan_cell_common::InvalidParameter(
-        "work", "NO_WORK", "give DRY_RUN or WORK for a run that is there, or path_edits");
+        "work", "NO_WORK", "give DRY_RUN or WORK for an existing run, or path_edits");
   EndedRun ended;
   ended.folder = std::filesystem::path(parameters_.runs) / goal.run;
   ended.record = load_run(ended.folder);

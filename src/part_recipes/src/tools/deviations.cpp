@@ -29,7 +29,7 @@ void add_options(CLI::App& app, Options& options, scan_cell_common::Outputs& out
                  "reference part: a cloud (PLY, PCD, XYZ, CSV) or a mesh (STL, OBJ, PLY)")
       ->required();
   app.add_option("--reference-units", options.files.reference_units,
-                 "of the reference: m, mm or inch; those of the report, if not given")
+                 "units of the reference: m, mm or inch; default: those of the report")
       ->check(CLI::IsMember(scan_cell_common::length_units()));
   app.add_option("--object", options.files.object, "scanned object in metres")->required();
   app.add_option("--report", options.files.report, "what stretch wrote: JSON")->required();
@@ -40,7 +40,7 @@ void add_options(CLI::App& app, Options& options, scan_cell_common::Outputs& out
                  "places to follow: YAML list of name, position [m on the reference], radius [m]");
   outputs.add(app, "--output", options.output, "the object with a field deviation [m]: PLY or PCD")
       ->required();
-  outputs.add(app, "--summary", options.summary, "what they come to: JSON")->required();
+  outputs.add(app, "--summary", options.summary, "statistics of the deviations: JSON")->required();
 }
 
 std::string millimetres(const std::optional<double>& metres) {
@@ -51,10 +51,10 @@ std::string millimetres(const std::optional<double>& metres) {
 void print(const part_recipes::DeviationSummary& summary) {
   const auto statistics = part_recipes::statistics_of(summary.deviations.values, summary.tolerance);
   constexpr double kPercent = 100;
-  fmt::print("{} points, {} without a surface near; median {}, from {} to {}\n", statistics.points,
+  fmt::print("{} points, {} with no surface near; median {}, from {} to {}\n", statistics.points,
              statistics.unknown, millimetres(statistics.median), millimetres(statistics.min),
              millimetres(statistics.max));
-  fmt::print("outside known by: {}; {:.1f} % of the reference not scanned\n",
+  fmt::print("outside known from: {}; {:.1f} % of the reference not scanned\n",
              to_string(summary.outside), kPercent * summary.unscanned_share);
   for (const auto& place : summary.places)
     fmt::print("{}: {} ({} points)\n", place.place.name, millimetres(place.deviation),

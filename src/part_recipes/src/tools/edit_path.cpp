@@ -32,13 +32,13 @@ struct Options {
 void add_options(CLI::App& app, Options& options, scan_cell_common::Outputs& outputs) {
   app.add_option("--path", options.path, "tool path: CSV or YAML")->required();
   app.add_option("--units", options.reading.units,
-                 "of the path: m, mm or inch; not given: as its names say, else metres");
+                 "units of the path: m, mm or inch; default: as its names say, else metres");
   add_reading_options(app, options.reading);
-  app.add_option("--edits", options.edits, "what to do to it: YAML (docs/editing_a_path.md)")
+  app.add_option("--edits", options.edits, "list of edits: YAML (docs/editing_a_path.md)")
       ->required();
   CLI::Option* const report =
       app.add_option("--report", options.report, "report of stretch, which accepted the path");
-  outputs.add(app, "--output", options.output, "edited path, as the path's file is written")
+  outputs.add(app, "--output", options.output, "edited path, in the format of the path's file")
       ->required();
   outputs.add(app, "--output-report", options.output_report, "report of the edited path")
       ->needs(report);
@@ -57,7 +57,7 @@ void check_names(const tool_paths::ToolPath& before, const tool_paths::ToolPath&
   for (const std::string& name : after.process_names)
     if (taken.count(name) > 0)
       throw scan_cell_common::UnusableInput("process value '" + name + "'",
-                                            "the name of something else in the path's file",
+                                            "the path's file has something else of this name",
                                             "give it another name");
 }
 
@@ -69,8 +69,8 @@ void check_saved(const Options& options, const tool_paths::ToolPath& path) {
   for (std::size_t i = 0; same && i < path.segments.size(); ++i)
     same = back.segments[i].waypoints.size() == path.segments[i].waypoints.size();
   if (!same)
-    throw scan_cell_common::UnusableInput(options.output, "is not read back as it was meant",
-                                          "look at the names of the process values");
+    throw scan_cell_common::UnusableInput(options.output, "does not read back as meant",
+                                          "check the names of the process values");
 }
 
 int run(const Options& options) {

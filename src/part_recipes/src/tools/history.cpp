@@ -94,7 +94,7 @@ int add(const Options& options, bool is_runs_given) {
   const fs::path plain = folder.filename().empty() ? folder.parent_path() : folder;
   const History history(is_runs_given ? fs::path(options.runs) : plain.parent_path());
   const bool added = history.add(plain);
-  std::printf("%s %s\n", plain.filename().c_str(), added ? "added" : "is there already");
+  std::printf("%s %s\n", plain.filename().c_str(), added ? "added" : "is already in the history");
   return 0;
 }
 
@@ -140,26 +140,25 @@ using Command = std::pair<CLI::App*, std::function<int(const Options&)>>;
 
 Command add_approving(CLI::App& app, Options& options, bool approved) {
   CLI::App* const command = app.add_subcommand(
-      approved ? "approve" : "refuse", approved ? "keeps that a person approves an accepted run"
-                                                : "keeps that a person refuses a run");
+      approved ? "approve" : "refuse", approved ? "records that a person approves an accepted run"
+                                                : "records that a person refuses a run");
   add_runs(*command, options);
   command->add_option("id", options.id)->required();
-  command->add_option("--name", options.name, "of that person")->required();
+  command->add_option("--name", options.name, "name of that person")->required();
   command->add_option("--note", options.note, "why");
   return {command, [approved](const Options& given) { return approve(given, approved); }};
 }
 
 /// Commands that look up or change single runs.
 std::vector<Command> add_keeping(CLI::App& app, Options& options) {
-  CLI::App* const show_one = app.add_subcommand("show", "prints what it has of a run");
+  CLI::App* const show_one = app.add_subcommand("show", "prints what the history has of a run");
   add_runs(*show_one, options);
   show_one->add_option("id", options.id)->required();
   CLI::App* const anew = app.add_subcommand(
-      "rebuild",
-      "makes the history anew from the folders of the runs; exit code 2: a run is broken");
+      "rebuild", "rebuilds the history from the folders of the runs; exit code 2: a run is broken");
   add_runs(*anew, options);
-  CLI::App* const add_one = app.add_subcommand("add", "adds a run that is not in it");
-  add_one->add_option("folder", options.folder, "of the run")->required();
+  CLI::App* const add_one = app.add_subcommand("add", "adds a run that is not in the history");
+  add_one->add_option("folder", options.folder, "folder of the run")->required();
   CLI::Option* const runs =
       add_one->add_option("--runs", options.runs, "folder of the runs (default: that of the run)");
   return {{show_one, show},

@@ -76,11 +76,11 @@ int print_rebuilt(const part_recipes::Rebuilt& rebuilt, const std::filesystem::p
   for (const auto& [folder, fault] : rebuilt.broken)
     std::fprintf(stderr, "left out: %s\n", printable(fault).c_str());
   for (const std::string& id : rebuilt.gone)
-    std::fprintf(stderr, "not there any more: %s\n", printable(id).c_str());
+    std::fprintf(stderr, "no longer there: %s\n", printable(id).c_str());
   if (!rebuilt.order_lost.empty())
     std::fprintf(stderr,
-                 "the old database could not be read (%s): runs are in the order of their "
-                 "start now\n",
+                 "the old database could not be read (%s): runs are now in the order of their "
+                 "start\n",
                  printable(rebuilt.order_lost).c_str());
   print_line(
       fmt::format("{} runs in {}", rebuilt.runs, (runs / part_recipes::kHistoryFile).string()));

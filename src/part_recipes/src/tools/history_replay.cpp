@@ -71,12 +71,14 @@ bool work_side_by_side(const ReplayOptions& options, const JobFolder& folder) {
 
 void add_query(CLI::App& app, part_recipes::HistoryFilter& filter) {
   app.add_option("--state", filter.state, "accepted, refused or unusable");
-  app.add_option("--reason", filter.reason, "of the verdict, such as wrong_part");
+  app.add_option("--reason", filter.reason, "reason of the verdict, such as wrong_part");
   app.add_option("--since", filter.since,
-                 "start in UTC, to any precision: 2026-11, 2026-11-25T12:13");
-  app.add_option("--until", filter.until, "the same, and all that begins with it");
-  app.add_option("--limit", filter.limit, "the last so many of them");
-  app.add_option("--text", filter.text, "somewhere in id, recipe, reason, message, host or note");
+                 "earliest start in UTC, to any precision: 2026-11, 2026-11-25T12:13");
+  app.add_option("--until", filter.until,
+                 "latest start, in the same way; includes all that begin with it");
+  app.add_option("--limit", filter.limit, "number of runs: only the last ones");
+  app.add_option("--text", filter.text,
+                 "text anywhere in id, recipe, reason, message, host or note");
 }
 
 CLI::App* add_replay(CLI::App& app, ReplayOptions& options) {
@@ -94,12 +96,12 @@ CLI::App* add_replay(CLI::App& app, ReplayOptions& options) {
       "folder of the recorded runs to add; without it, only works on jobs that are there");
   for (CLI::Option* const option : of_added_runs)
     if (option != command->get_help_ptr()) option->needs(runs);
-  command->add_option("--jobs", options.jobs, "folder that all workers share; it is made")
+  command->add_option("--jobs", options.jobs, "folder that all workers share; made if missing")
       ->required();
-  command->add_option("--workers", options.workers, "processes here; 0: one a core");
+  command->add_option("--workers", options.workers, "processes on this machine; 0: one per core");
   command
       ->add_option("--lease", options.lease,
-                   "a job whose worker was not heard of so long is given to another [s]")
+                   "a job goes to another worker if its own is silent for this long [s]")
       ->check(CLI::Range(1U, 86400U))
       ->capture_default_str();
   return command;
@@ -117,6 +119,6 @@ int replay(const ReplayOptions& options) {
   const auto done = replayed(folder);
   std::fputs(to_text(done).c_str(), stdout);
   const std::size_t left = folder.ids().size() - done.size();
-  if (left > 0) std::printf("%zu runs are left: others do them, or call this again\n", left);
+  if (left > 0) std::printf("%zu runs are left: other workers do them, or run this again\n", left);
   return well && left == 0 ? 0 : scan_cell_common::kUnusable;
 }

@@ -35,7 +35,7 @@ CLI::App* add_command(CLI::App& app, const std::string& name, const std::string&
       ->add_option("--reference", options.reference,
                    "reference part: a mesh (STL, OBJ, PLY) or a cloud (PLY, PCD, XYZ, CSV)")
       ->required();
-  command->add_option("--reference-units", options.units, "of the reference: m, mm or inch")
+  command->add_option("--reference-units", options.units, "units of the reference: m, mm or inch")
       ->capture_default_str();
   outputs.add(*command, "--output", options.output, "tool path on the reference: CSV or YAML [m]")
       ->required();
@@ -88,7 +88,7 @@ int main(int argc, char** argv) {
       app, "from-edge", "Along the edges of the part, or of one face of it", edge, outputs);
   edge.typed.add(*from_edge, EdgeParameters());
   CLI::App* const from_slices =
-      add_command(app, "from-slices", "A raster over the side that is seen", slices, outputs);
+      add_command(app, "from-slices", "A raster over the visible side", slices, outputs);
   slices.typed.add(*from_slices, SliceParameters());
   CLI::App* const from_picks =
       add_command(app, "from-picks", "A smooth line through picked points", picks, outputs);

@@ -44,7 +44,7 @@ part_recipes::ToolOptions options_of(const std::vector<std::string>& settings,
 void add_new(CLI::App& app, Options& options) {
   const CLI::IsMember units(scan_cell_common::length_units());
   auto& made = options.made;
-  app.add_option("name", made.name, "of the part type")->required();
+  app.add_option("name", made.name, "name of the part type")->required();
   app.add_option("--reference", made.reference.file,
                  "the part that the path was proven on: clean cloud or mesh")
       ->required();
@@ -61,12 +61,12 @@ void add_new(CLI::App& app, Options& options) {
       ->capture_default_str();
   app.add_option("--robot-program", options.programs, "program to write, such as part.src");
   app.add_option("--program-option", options.program_options,
-                 "NAME=VALUE: option of export_path for all of them");
+                 "NAME=VALUE: option of export_path for all programs");
   app.add_option("--work", options.work, "NAME=VALUE: waypoint_z or frame, as work takes them");
   app.add_option("--check-program", made.check_program,
                  "scan program (YAML) that is run before the work: does the part still lie there?");
   app.add_option("--check-tolerance", made.check_tolerance,
-                 "by which the part may have moved since it was scanned [m]")
+                 "distance by which the part may have moved since it was scanned [m]")
       ->capture_default_str();
   app.add_option("--scanner", options.scanner, "scanner model that the reference was scanned with");
   app.add_option("--cell", options.cell, "cell file that the reference was scanned with");
@@ -132,7 +132,7 @@ int prove(const Options& options, const part_recipes::RunRequest& request) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app("Makes, checks, lists and proves recipes, one a part type.");
+  CLI::App app("Makes, checks, lists and proves recipes, one per part type.");
   app.require_subcommand(1);
   app.fallthrough();
   Options options;

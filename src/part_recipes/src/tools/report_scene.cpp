@@ -36,8 +36,8 @@ CLI::App* add_surface(CLI::App& app, SurfaceOptions& options, Outputs& outputs) 
       ->check(CLI::IsMember(scan_cell_common::length_units()));
   command->add_option("--object", options.files.object, "scanned object in metres");
   command->add_option("--report", options.files.report,
-                      "what stretch wrote; without it the reference stays where it is");
-  command->add_option("--tolerance", options.tolerance, "of deviations [m]")
+                      "report that stretch wrote; without it the reference stays where it is");
+  command->add_option("--tolerance", options.tolerance, "tolerance of deviations [m]")
       ->check(CLI::PositiveNumber);
   outputs
       .add(*command, "--output", options.output,
@@ -52,9 +52,10 @@ CLI::App* add_paths(CLI::App& app, PathsOptions& options, Outputs& outputs) {
       ->required();
   command->add_option("--path-units", options.reading.units, "m, mm or inch");
   add_reading_options(*command, options.reading);
-  command->add_option("--adapted", options.adapted, "tool path on the object, as the other");
+  command->add_option("--adapted", options.adapted,
+                      "tool path on the object, in the format of the other");
   command->add_option("--report", options.report,
-                      "what stretch wrote; without it the path stays where it is");
+                      "report that stretch wrote; without it the path stays where it is");
   outputs.add(*command, "--output", options.output, "waypoints in metres: JSON")->required();
   return command;
 }

@@ -32,7 +32,7 @@ struct Options {
 
 void add_options(CLI::App& app, Options& options) {
   CLI::Option* const again =
-      app.add_option("--again", options.again, "folder of a run: does it again from its own files");
+      app.add_option("--again", options.again, "folder of a run: repeats it from its own files");
   app.add_option("--path-edits", options.path_edits,
                  "with --again: edits of the adapted path by hand (docs/editing_a_path.md)")
       ->needs(again);
@@ -46,12 +46,12 @@ void add_options(CLI::App& app, Options& options) {
   app.add_option("--scan", options.scan,
                  "raw cloud in the world's frame (PLY, PCD ...); without it the running cell scans")
       ->excludes(again);
-  app.add_option("--scan-units", options.request.scan_units, "of that cloud")
+  app.add_option("--scan-units", options.request.scan_units, "units of that cloud")
       ->check(CLI::IsMember(scan_cell_common::length_units()))
       ->capture_default_str();
   app.add_flag("--bag", options.request.bag, "keeps a bag of the scan in the run: scan.bag")
       ->excludes(again);
-  app.add_option("--note", options.request.note, "kept with the run");
+  app.add_option("--note", options.request.note, "note that is kept with the run");
   const std::map<std::string, Work> works = {{"dry", Work::kDry}, {"real", Work::kReal}};
   app.add_option("--work", options.request.work,
                  "what the running cell does with an accepted path: dry (lifted, slow, tool off) "

@@ -95,7 +95,7 @@ TEST_F(HistoryTool, AddsARunAndRebuilds) {
   write_run(runs(), made_run(1));
   const Answer added = run({"add", "run_000001"});
   EXPECT_EQ(added.text, "run_000001 added\n");
-  EXPECT_EQ(run({"add", "run_000001/"}).text, "run_000001 is there already\n");
+  EXPECT_EQ(run({"add", "run_000001/"}).text, "run_000001 is already in the history\n");
   fs::create_directory(runs() / "torn");
   std::ofstream(runs() / "torn" / kRunFile) << "{";
   const Answer list = run({"list", "--runs", "."});

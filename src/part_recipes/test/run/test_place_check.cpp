@@ -85,7 +85,8 @@ TEST_F(APlaceCheck, ThatCannotBeMadeIsNoLeaveToWork) {
   scan_cell_common::save_text(scan.string(), "ply\nno more\n");
   const PlaceCheck found = check_place(recipe_, run_.folder, request("moved.ply"), {}, scan);
   EXPECT_FALSE(found.lies_there);
-  EXPECT_NE(found.message.find("is not known: clean failed"), std::string::npos) << found.message;
+  EXPECT_NE(found.message.find("where it was scanned: clean failed"), std::string::npos)
+      << found.message;
 }
 
 TEST_F(APlaceCheck, OfARunThatTheRecipeDidNotMakeIsRefused) {

@@ -193,7 +193,7 @@ TEST_F(ARecipe, IsRefusedWhereTheCalibrationChanged) {
       check_calibration(recipe, load_proof(recipe), {{"scanner", "aa"}, {"cell", "bb"}}));
   EXPECT_THROW(check_calibration(recipe, load_proof(recipe), {{"scanner", "ab"}}), Refused);
   EXPECT_NE(
-      check_calibration(recipe, load_proof(recipe), {}).find("does not tell its scanner file"),
+      check_calibration(recipe, load_proof(recipe), {}).find("does not name its scanner file"),
       std::string::npos);
   RunRequest scanned = request("moved.ply");
   scanned.scan_record = folder_.path() / "scan.json";

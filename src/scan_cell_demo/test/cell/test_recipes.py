@@ -287,7 +287,7 @@ class Recipes(unittest.TestCase):
         self.assertEqual(len(rospy.wait_for_message('/part_recipes/picks', Marker, PATIENCE).points), len(picks))
         request.save_as = 'picked'
         self.assertTrue(design(request).success)
-        self.assertIn('is there already', design(request).message)
+        self.assertIn('already exists', design(request).message)
         self.assertEqual(self.list()['picked'].state, RecipeState.MADE)
         result = self.run_recipe(recipe='picked')
         self.assertEqual(result.outcome, RunRecipeResult.ACCEPTED, result.message)

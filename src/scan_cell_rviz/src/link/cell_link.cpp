@@ -304,7 +304,7 @@ void CellLink::look() {
   show_presence(Device::kLaser, trigger_);
   show_presence(Device::kCell, cell_);
   if ((ros::WallTime::now() - camera_seen_).toSec() > kCameraSilent)
-    show(Device::kCamera, {Level::kGone, names_.camera + " tells nothing on /diagnostics"});
+    show(Device::kCamera, {Level::kGone, names_.camera + " reports nothing on /diagnostics"});
   if (is_missed(cell_)) actions_->forget_cell();
   actions_->look();
   if (is_missed(actions_->of_recipes())) {
@@ -346,7 +346,7 @@ void CellLink::look_at_run() {
   } else if (connected && !client_->is_taken() && waiting > kTaken) {
     client_->cancel();
     end(result_without_run(
-        fmt::format("{} did not take it within {:g} s", names_.recipes, kTaken)));
+        fmt::format("{} did not accept it within {:g} s", names_.recipes, kTaken)));
   }
 }
 

@@ -36,7 +36,7 @@ Eigen::Isometry3d from_kdl(const KDL::Frame& frame) {
 
 LinkPoses::LinkPoses(const std::string& urdf) {
   if (!kdl_parser::treeFromString(urdf, tree_))
-    throw scan_cell_common::UnusableInput("robot_description", "no URDF",
+    throw scan_cell_common::UnusableInput("robot_description", "not a URDF",
                                           "give a URDF that check_urdf takes");
 }
 
@@ -56,7 +56,7 @@ std::map<std::string, Eigen::Isometry3d> LinkPoses::at(
   std::map<std::string, Eigen::Isometry3d> poses;
   const auto origin = found.find(base);
   if (origin == found.end())
-    throw scan_cell_common::UnusableInput("frame " + base, "no link of robot_description",
+    throw scan_cell_common::UnusableInput("frame " + base, "not a link of robot_description",
                                           "give the URDF of the robot that the driver has");
   const KDL::Frame to_base = origin->second.Inverse();
   for (const auto& [name, pose] : found)

@@ -66,7 +66,7 @@ Seat::Seat(SeatLinks& links, const SeatSessions& sessions, QWidget* parent)
   progress_->setObjectName("progress");
   progress_->setMaximum(kPerMille);
   stop_->setObjectName("stop");
-  stop_->setToolTip(tr("Stops the robot and ends what is under way. It is no emergency stop."));
+  stop_->setToolTip(tr("Stops the robot and ends what is under way. It is not an emergency stop."));
 
   auto* const under_way = new QHBoxLayout;
   under_way->addWidget(progress_, 1);

@@ -32,7 +32,7 @@ struct Victim {
 };
 constexpr Victim kVictims[] = {{"/c4g_driver", "sign_robot", "not running"},
                                {"/laser_trigger", "sign_laser", "not running"},
-                               {"/camera", "sign_camera", "tells nothing"},
+                               {"/camera", "sign_camera", "reports nothing"},
                                {"/scan_cell", "sign_cell", "not running"},
                                {"/part_recipes", "missed", "not running"}};
 

@@ -128,7 +128,7 @@ TEST_F(Preview, OutlivesNamesThatAreNoneAndForgetsWhatCameByAnother) {
   EXPECT_TRUE(comes([] { return display_->ghost("flange").has_value(); })) << "it is latched";
   display_->subProp("Robot Description")->setValue("~ no name");
   EXPECT_FALSE(display_->ghost("flange").has_value());
-  EXPECT_TRUE(ghost_says("no URDF"));
+  EXPECT_TRUE(ghost_says("not a URDF"));
   display_->subProp("Robot Description")->setValue("robot_description");
   EXPECT_TRUE(display_->ghost("flange").has_value());
 }

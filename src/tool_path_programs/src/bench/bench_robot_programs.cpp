@@ -78,7 +78,7 @@ void run(int waypoints) {
       std::printf("%-34s %8.2f %10.1f %8zu\n", language->title().c_str(), seconds, seconds / csv,
                   written.files.size());
     } catch (const std::exception& error) {
-      std::printf("%-34s cannot say it: %s\n", language->title().c_str(), error.what());
+      std::printf("%-34s cannot express it: %s\n", language->title().c_str(), error.what());
     }
   }
 }

@@ -87,7 +87,7 @@ std::vector<std::string> CheckedRobot::check(Program& program) const {
     throw Refused(
         "robot",
         fmt::format("{} ({} places in all)", found.faults.front().what(), found.faults.size()),
-        "counted are the program's moves, from 0");
+        "the program's moves are counted from 0");
   const Eigen::Isometry3d to_user = place_of(program.frames.front().user, "user frame").inverse();
   std::size_t waypoint = 0;
   for (Step& step : program.steps) {
@@ -100,7 +100,7 @@ std::vector<std::string> CheckedRobot::check(Program& program) const {
   }
   std::vector<std::string> notes = {"the robot can run it"};
   if (found.slowest)
-    notes.push_back(fmt::format("slowest at move {}: {:.3g} mm/s is the most there, {:.3g} wanted",
+    notes.push_back(fmt::format("slowest at move {}: at most {:.3g} mm/s there, {:.3g} wanted",
                                 found.slowest->waypoint, 1e3 * found.slowest->speed,
                                 1e3 * found.slowest->wanted));
   return notes;

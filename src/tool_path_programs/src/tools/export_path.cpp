@@ -26,13 +26,14 @@ void add_options(CLI::App& app, Options& options) {
   CLI::Option* const report =
       app.add_option("--report", options.files.report,
                      "report of stretch, which says that this path was accepted");
-  app.add_flag("--no-report", options.no_report, "the path has none: nobody says it was accepted")
+  app.add_flag("--no-report", options.no_report,
+               "the path has no report: nothing says that it was accepted")
       ->excludes(report);
   app.add_option("--output", options.files.program,
-                 "program; its name without the ending is the program's. Further files of the "
-                 "program come beside it")
+                 "file of the program; its name without the ending names the program. Further "
+                 "files of the program are written beside it")
       ->required();
-  app.add_option("--units", options.units, "of lengths in the path: m, mm or inch");
+  app.add_option("--units", options.units, "units of lengths in the path: m, mm or inch");
   add_path_options(app, options.conventions);
   options.program.add(app);
   options.robot.add(app);

@@ -30,7 +30,7 @@ void add_options(CLI::App& app, Options& options, scan_cell_common::Outputs& out
                      "report of stretch, which says that this path was accepted");
   app.add_flag("--no-report", options.no_report, "the path has none")->excludes(report);
   outputs.add(app, "--output", options.files.program, "bag")->required();
-  app.add_option("--frame", options.frame, "of the path's poses")->capture_default_str();
+  app.add_option("--frame", options.frame, "frame of the path's poses")->capture_default_str();
   options.program.add(app);
   options.robot.add(app);
 }

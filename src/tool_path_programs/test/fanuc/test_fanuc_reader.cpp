@@ -99,15 +99,16 @@ TEST(FanucReader, WhatCannotBeResolvedIsRefusedWithFileLineAndCure) {
             "part.ls, line 6: a position register, which only the controller knows; move to a "
             "position P[]");
   EXPECT_EQ(fault_of("1:L P[R[1]] 5mm/sec FINE ;\n"),
-            "part.ls, line 6: a position whose number only a running program knows; let the "
-            "program have it as numbers");
+            "part.ls, line 6: a position whose number only a running program knows; write it "
+            "into the program as numbers");
   EXPECT_EQ(fault_of("1:L P[4] 5mm/sec FINE ;\n"),
-            "part.ls, line 6: P[4] was not taught; let it have all numbers");
+            "part.ls, line 6: P[4] was not taught; give it all numbers");
   EXPECT_EQ(fault_of("1:L P[5] 5mm/sec FINE ;\n"),
             "part.ls, line 6: P[5] is not in /POS; give all of the program");
-  EXPECT_EQ(fault_of("1:  P[1]=LPOS ;\n2:L P[1] 5mm/sec FINE ;\n"),
-            "part.ls, line 7: P[1] is computed at run time, in line 6; let the program have it as "
-            "numbers");
+  EXPECT_EQ(
+      fault_of("1:  P[1]=LPOS ;\n2:L P[1] 5mm/sec FINE ;\n"),
+      "part.ls, line 7: P[1] is computed at run time, in line 6; write it into the program as "
+      "numbers");
   EXPECT_EQ(fault_of("1:  CALL SUB ;\n"),
             "part.ls, line 6: a call of SUB, which is not in the given files; give it, or name it "
             "as a program without motion");
@@ -146,7 +147,7 @@ TEST(FanucReader, MotionUnderConditionsIsRefused) {
 
 TEST(FanucReader, CallsInACircleAndBrokenFilesEnd) {
   EXPECT_EQ(fault_of("1:  CALL PART ;\n"),
-            "part.ls, line 6: PART calls itself; give a program without such calls");
+            "part.ls, line 6: PART calls itself; give a program without recursion");
   for (const char* const text :
        {"", "/PROG", "/PROG A", "/PROG A\n/MN", "/PROG A\n/MN\n1:L P[1]",
         "/PROG A\n/MN\n1: ENDIF ;\n/END", "/PROG A\n/MN\n1: IF (a) THEN ;\n/END",

@@ -108,7 +108,7 @@ TEST(FanucWriter, HundredThousandWaypointsComeBack) {
 TEST(FanucWriter, WhatItCannotSayIsRefusedWithTheWaypointAndACure) {
   EXPECT_EQ(fault_of(with(fanuc_move(0, 0, 0, 4e-4))),
             "FANUC TP, waypoint 2: speed 0.4 mm/s, which would become 0.9inch/min; whole mm/sec, "
-            "whole cm/min and tenths of inch/min can be said: give one of these, or a greater "
+            "whole cm/min and tenths of inch/min are possible: give one of these, or a greater "
             "max_speed_change");
   EXPECT_TRUE(has(fault_of(with(fanuc_move(0, 0, 0, 1e-6))),
                   "waypoint 2: speed 0.001 mm/s, which "

@@ -103,17 +103,17 @@ TEST(GcodeWriter, RefusesWhatItCannotSayAndNamesTheWaypoint) {
                 "xyz"),
             "program ADAPTED, waypoint 3: turned by 0.573 degrees from the one before");
   EXPECT_EQ(fault_after([](Program& p) { p.frames[0].user.name = "table"; }),
-            "user frame table: no coordinate system of G-code");
+            "user frame table: not a G-code coordinate system");
   EXPECT_EQ(fault_after([](Program& p) {
               p.frames[0].user = {"", Eigen::Isometry3d::Identity()};
             }),
-            "user frame: its place cannot stand in the program");
+            "user frame: its pose cannot be written into the program");
   EXPECT_EQ(fault_after([](Program& p) { p.frames[0].tool.name = "torch"; }),
-            "tool torch: no number of a tool");
+            "tool torch: not a tool number");
   EXPECT_EQ(fault_after([](Program& p) {
               p.steps.emplace_back(SetOutput{"doTool", true});
             }),
-            "output doTool: no output of G-code");
+            "output doTool: not a G-code output");
 }
 
 TEST(GcodeWriter, AxesThatTurnOverAreRefused) {

@@ -142,14 +142,14 @@ TEST(RapidReader, WhatMovesNothingIsPassedOver) {
 
 TEST(RapidReader, WhatCannotBeResolvedIsRefusedWithFileLineAndCure) {
   EXPECT_EQ(fault_of("MoveL Offs(p10,0,0,50),v50,fine,tool0;"),
-            "part.mod, line 6: Offs.., a value that is computed at run time; let the program have "
-            "it as numbers");
+            "part.mod, line 6: Offs.., a value that is computed at run time; write it into the "
+            "program as numbers");
   EXPECT_EQ(fault_of("pFound:=CRobT();\nMoveL pFound,v50,fine,tool0;"),
-            "part.mod, line 7: pFound is computed at run time, in line 6; let the program have it "
-            "as numbers");
+            "part.mod, line 7: pFound is computed at run time, in line 6; write it into the "
+            "program as numbers");
   EXPECT_EQ(
       fault_of("MoveL pFound,v50,fine,tool0;"),
-      "part.mod, line 6: pFound has no value in the text; let the program have it as numbers");
+      "part.mod, line 6: pFound has no value in the text; write it into the program as numbers");
   EXPECT_EQ(fault_of("MoveL p30,v50,fine,tool0;"),
             "part.mod, line 6: p30 is not in the given files; give the module that declares it");
   EXPECT_EQ(fault_of("MoveL *,v50,fine,tool0;"),
@@ -175,8 +175,8 @@ TEST(RapidReader, MotionUnderConditionsIsRefused) {
                      "MoveL p10,v50,fine,tool0;"),
             "part.mod, line 11: MoveL under a condition or in a loop" + cure);
   EXPECT_EQ(fault_of("IF a pFound:=p10;\nMoveL pFound,v50,fine,tool0;"),
-            "part.mod, line 7: pFound is computed at run time, in line 6; let the program have it "
-            "as numbers");
+            "part.mod, line 7: pFound is computed at run time, in line 6; write it into the "
+            "program as numbers");
   EXPECT_NE(fault_of("GOTO there;"), "");
   EXPECT_NE(fault_of("PDispOn p10,tool0;"), "");
   EXPECT_NE(fault_of("SearchL di1,pFound,p10,v50,tool0;"), "");
@@ -192,7 +192,7 @@ TEST(RapidReader, AFrameThatIsComputedBetweenTwoMovesIsRefused) {
 
 TEST(RapidReader, CallsInACircleAndBrokenModulesEnd) {
   EXPECT_EQ(fault_of("main;"),
-            "part.mod, line 6: main calls itself; give a program without such calls");
+            "part.mod, line 6: main calls itself; give a program without recursion");
   for (const char* const text :
        {"", "MODULE", "MODULE m", "MODULE m PROC main()", "MODULE m PROC main( ENDPROC",
         "MODULE m PROC main() MoveL", "MODULE m PROC main() IF",

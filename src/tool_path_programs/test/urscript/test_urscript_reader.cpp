@@ -211,7 +211,7 @@ TEST(UrscriptReader, RefusesMotionsThatAreKnownAtRunTimeOnly) {
   EXPECT_EQ(fault_in_program("if get_flag(1):\nreturn 0\nend\nmovel(p[0, 0, 0, 0, 0, 0])"),
             "part.script, line 3: return within if");
   EXPECT_EQ(fault_in_program("speedl([0, 0, 0.1, 0, 0, 0], 0.5, 1)"),
-            "part.script, line 2: speedl moves to no pose");
+            "part.script, line 2: speedl does not move to a pose");
   EXPECT_EQ(fault_in_program("movel(p[0, 0, 0, 0, 0, 0], t=2)"),
             "part.script, line 2: a time for the way instead of a speed");
   EXPECT_EQ(fault_in_program("movel(p[0, 0, 0, 0, 0, 0], v=speed)"),
@@ -240,7 +240,7 @@ TEST(UrscriptReader, StandsCirclesDepthAndHugeCallTrees) {
   loops += "movel(p[0, 0, 0, 0, 0, 0])\n";
   for (int i = 0; i < 100000; ++i)
     loops += "end\n";
-  EXPECT_NE(fault_of(loops).find("calls or loops within each other"), std::string::npos);
+  EXPECT_NE(fault_of(loops).find("calls or loops nested too deeply"), std::string::npos);
   std::string doubling = "def f0():\n  set_digital_out(1, True)\nend\n";
   for (int i = 1; i < 60; ++i) {
     const std::string call = "  f" + std::to_string(i - 1) + "()\n";
@@ -254,7 +254,7 @@ TEST(UrscriptReader, SaysWhereATextIsNone) {
             "part.script, line 1: def without an end");
   EXPECT_EQ(fault_of("movel(p[0, 0, 0, 0, 0])\n"), "part.script, line 1: a pose of 5 numbers");
   EXPECT_EQ(fault_of("movel(p[512, 0, 9000, 0, 0, 0])\n"),
-            "part.script, line 1: a pose of great numbers");
+            "part.script, line 1: a pose with numbers that are too large");
   EXPECT_EQ(fault_of("end\n"), "part.script, line 1: an end without a block");
 }
 

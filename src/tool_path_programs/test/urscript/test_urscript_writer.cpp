@@ -171,7 +171,7 @@ TEST(UrscriptWriter, RefusesWhatItCannotSayAndNamesTheWaypoint) {
   EXPECT_EQ(fault_after([](Program& p) {
               p.steps.emplace_back(SetOutput{"8", true});
             }),
-            "output 8: no digital output of the controller");
+            "output 8: not a digital output of the controller");
   EXPECT_NE(fault_after([](Program& p) { move_of(p, 1).pose.translation().x() = NAN; }), "");
 }
 

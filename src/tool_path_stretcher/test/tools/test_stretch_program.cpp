@@ -168,7 +168,7 @@ TEST_F(StretchProgram, WritesAnArcAsLinesWhereItMissesTheAdaptedPathAndSaysSo) {
   // more places along the arc adapt it slightly differently
   EXPECT_LT((poses.front().translation() - old.front().translation()).norm(), 1e-4);
   EXPECT_LT((poses.back().translation() - old.back().translation()).norm(), 1e-4);
-  EXPECT_NE(text("stdout").find("arc.script, line 3: on the part this arc is no circle any more"),
+  EXPECT_NE(text("stdout").find("arc.script, line 3: on the part this arc is no longer a circle"),
             std::string::npos)
       << text("stdout");
 }

@@ -106,7 +106,7 @@ function startView() {
   reportView.orbit = orbit;
   reportView.ready = true;
   new ResizeObserver(redraw).observe(canvas);
-  canvas.addEventListener('webglcontextlost', () => missing('The browser took the view away; load the page again.'));
+  canvas.addEventListener('webglcontextlost', () => missing('The browser lost the view; reload the page.'));
   redraw();
 }
 

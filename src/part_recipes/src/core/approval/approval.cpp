@@ -54,8 +54,8 @@ std::vector<Approval> approvals_of(const fs::path& run) {
   try {
     return parse_approvals(text);
   } catch (const std::exception& error) {
-    throw scan_cell_common::UnusableInput(
-        file.string(), error.what(), "it was edited, or a newer version wrote it: look into it");
+    throw scan_cell_common::UnusableInput(file.string(), error.what(),
+                                          "check it: it was edited, or a newer version wrote it");
   }
 }
 

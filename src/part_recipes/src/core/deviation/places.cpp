@@ -24,7 +24,7 @@ std::vector<Place> load_places(const std::string& file) {
     Place place;
     place.name = entry["name"].as<std::string>();
     if (!names.insert(place.name).second)
-      entry["name"].refuse("'" + place.name + "' twice", "give each place a name of its own");
+      entry["name"].refuse("'" + place.name + "' appears twice", "give each place its own name");
     place.position = entry["position"].vector<3>();
     if (entry.has("radius")) place.radius = entry["radius"].as<double>();
     if (!(place.radius > 0) || !std::isfinite(place.radius))

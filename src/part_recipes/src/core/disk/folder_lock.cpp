@@ -34,7 +34,7 @@ FolderLock::FolderLock(const std::filesystem::path& folder, Kind kind)
     if (errno != EWOULDBLOCK && errno != EINTR)
       throw FileError(folder.string(), std::strerror(errno), "keep the runs on a local disk");
     if (Clock::now() > end)
-      throw Refused(folder.string(), "another program has it",
+      throw Refused(folder.string(), "in use by another program",
                     "wait until it has ended and try again");
     std::this_thread::sleep_for(kInterval);
   }

@@ -21,7 +21,7 @@ History::History(const fs::path& runs) : runs_(runs) {
 }
 
 std::string History::cure() const {
-  return "make it anew from the runs: history rebuild --runs '" + runs_.string() + "'";
+  return "rebuild it from the runs: history rebuild --runs '" + runs_.string() + "'";
 }
 
 Database History::open_to_read() const {
@@ -48,7 +48,7 @@ bool History::add(const fs::path& folder) const {
   const std::string known = sha256_in_history(database, run.record.id);
   if (known == run.sha256) return false;
   if (!known.empty())
-    throw Refused(run.record.id, "in the history with another run.json",
+    throw Refused(run.record.id, "in the history with a different run.json",
                   "restore the run's folder, or take it as it is now: history rebuild --runs '" +
                       runs_.string() + "'");
   insert_run(database, run);
@@ -68,7 +68,7 @@ HistoryRun History::find(const std::string& id) const {
   filter.id = id;
   const auto runs = query(filter);
   if (runs.empty())
-    throw UnusableInput(id, "no run of the history in " + runs_.string(),
+    throw UnusableInput(id, "not in the history of " + runs_.string(),
                         "history list shows all of them");
   return runs.front();
 }

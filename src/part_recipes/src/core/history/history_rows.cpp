@@ -114,7 +114,7 @@ void prepare_history(Database& database, const std::string& cure) {
 void check_history(const Database& database, const std::string& cure) {
   const std::string file = database.file().string();
   if (pragma(database, "application_id") != kApplication)
-    throw Refused(file, "a database of another program", "move it away, then " + cure);
+    throw Refused(file, "another program's database", "move it away, then " + cure);
   const std::int64_t format = pragma(database, "user_version");
   if (format > kFormat)
     throw UnusableInput(

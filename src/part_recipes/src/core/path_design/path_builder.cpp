@@ -41,7 +41,7 @@ DesignedPath PathBuilder::finish(const std::string& what) {
                      left_out_ + result_.path.segments.size(), 1e3 * min_length_));
   if (result_.path.segments.empty())
     throw scan_cell_common::Refused(what, "none on this surface",
-                                    "look at margin, offset, min_length and from");
+                                    "check margin, offset, min_length and from");
   tool_paths::check(result_.path);
   return std::move(result_);
 }

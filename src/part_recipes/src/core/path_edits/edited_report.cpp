@@ -131,7 +131,7 @@ std::string edited_report(const UneditedReport& unedited, const tool_paths::Edit
     for (const WaypointOrigin& origin : edited.origins)
       if (std::max(origin.first, origin.second) >= known)
         throw scan_cell_common::UnusableInput(unedited.name,
-                                              fmt::format("of a path of {} waypoints", known),
+                                              fmt::format("is of a path with {} waypoints", known),
                                               "give the report that stretch wrote with the path");
     constexpr int kIndent = 2;
     return edited_json(report, edited, done, output).dump(kIndent) + "\n";

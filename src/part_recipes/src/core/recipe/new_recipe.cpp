@@ -26,10 +26,10 @@ class Draft {
   Draft(const fs::path& recipes, const std::string& name)
       : whole_(recipes / name), draft_(recipes / ("." + name)) {
     if (fs::exists(whole_))
-      throw FileError(whole_.string(), "is there already", "give another name, or remove it");
+      throw FileError(whole_.string(), "already exists", "give another name, or remove it");
     fs::create_directories(recipes);
     if (!fs::create_directory(draft_))
-      throw FileError(draft_.string(), "is left of a recipe that was not finished", "remove it");
+      throw FileError(draft_.string(), "is left over from an unfinished recipe", "remove it");
   }
   ~Draft() {
     std::error_code failure;
@@ -110,7 +110,7 @@ std::string yaml_of(const Recipe& recipe) {
 void refuse_problems(const Recipe& recipe) {
   const auto problems = problems_of(recipe);
   if (problems.empty()) return;
-  throw UnusableInput("recipe '" + recipe.name + "'", problems.front(), "it was not made");
+  throw UnusableInput("recipe '" + recipe.name + "'", problems.front(), "no recipe was made");
 }
 
 }  // namespace

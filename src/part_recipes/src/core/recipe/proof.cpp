@@ -89,7 +89,7 @@ std::string check_calibration(const Recipe& recipe, const Proof& proof, const Ha
   for (const auto& [name, hash] : proof.calibration) {
     const auto known = calibration.find(name);
     if (known == calibration.end()) {
-      notes += fmt::format("{}the scan does not tell its {} file", notes.empty() ? "" : "; ", name);
+      notes += fmt::format("{}the scan does not name its {} file", notes.empty() ? "" : "; ", name);
     } else if (known->second != hash) {
       throw Refused(fmt::format("the cell's {} file", name), since(proof), prove(recipe));
     }

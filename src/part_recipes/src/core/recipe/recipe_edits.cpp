@@ -67,9 +67,9 @@ CleanParameters read_settings(const Recipe& recipe, const std::string& text) {
 }
 
 [[noreturn]] void refuse_way(const Recipe& recipe, const std::string& section) {
-  throw scan_cell_common::UnusableInput(recipe.cleaning + ": " + section,
-                                        "written in a way that cannot be changed here",
-                                        "begin its line with " + section + ": and nothing before");
+  throw scan_cell_common::UnusableInput(
+      recipe.cleaning + ": " + section, "written in a way that cannot be changed here",
+      "begin its line with " + section + ": and put nothing before it");
 }
 
 /// @throw scan_cell_common::Refused if its files were changed since it was made or proven

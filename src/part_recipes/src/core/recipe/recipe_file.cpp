@@ -68,7 +68,7 @@ std::vector<Place> places_of(const YamlEntry& list) {
     Place place;
     place.name = entry["name"].as<std::string>();
     if (place.name.empty() || !names.insert(place.name).second)
-      entry["name"].refuse(fmt::format("'{}'", place.name), "give each place a name of its own");
+      entry["name"].refuse(fmt::format("'{}'", place.name), "give each place its own name");
     place.position = entry["position"].vector<3>();
     if (entry.has("radius")) place.radius = length(entry["radius"]);
     places.push_back(std::move(place));

@@ -29,7 +29,7 @@ void check_name(const std::string& name) {
   const bool odd = std::any_of(name.begin(), name.end(), [](char letter) {
     return letter == '/' || letter == '\\' || static_cast<unsigned char>(letter) < ' ';
   });
-  if (odd) refuse("give a name of one folder, without slashes and control characters");
+  if (odd) refuse("give the name of one folder, without slashes and control characters");
 }
 
 std::vector<std::string> recipe_names(const fs::path& recipes) {
@@ -58,7 +58,7 @@ fs::path find_recipe(const fs::path& recipes, const std::string& name) {
   const auto names = recipe_names(recipes);
   throw FileError((recipes / name).string(), "no recipe",
                   names.empty() ? "make one: recipe new"
-                                : fmt::format("there are: {}", fmt::join(names, ", ")));
+                                : fmt::format("existing recipes: {}", fmt::join(names, ", ")));
 }
 
 std::vector<std::string> Recipe::files() const {

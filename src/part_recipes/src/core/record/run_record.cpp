@@ -158,7 +158,7 @@ RunRecord load_run(const std::filesystem::path& folder) {
   try {
     return record_in(Json::parse(text));
   } catch (const std::exception& error) {
-    throw UnusableInput(file, error.what(), "take it for no run, or restore it from a copy");
+    throw UnusableInput(file, error.what(), "restore it from a copy, or do not use this run");
   }
 }
 

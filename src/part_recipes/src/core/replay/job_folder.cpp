@@ -161,7 +161,8 @@ bool JobFolder::finish(const Job& job, const fs::path& run) const {
   std::error_code gone;
   fs::remove(draft, gone);
   if (failure && failure != std::errc::file_exists)
-    throw FileError(done_of(job.id).string(), failure.message(), "use a file system with links");
+    throw FileError(done_of(job.id).string(), failure.message(),
+                    "use a file system with hard links");
   release(job);
   return !failure;
 }

@@ -150,7 +150,7 @@ std::string to_text(const std::vector<ReplayedRun>& runs) {
     changed += before == after ? 0 : 1;
     text += fmt::format("{}  {}{}", run.id, before, before == after ? "" : " -> " + after);
     if (run.moved_most) {
-      text += fmt::format(", waypoints moved {:.3f} mm RMS, {:.3f} mm the farthest",
+      text += fmt::format(", waypoints moved {:.3f} mm RMS, {:.3f} mm at most",
                           1e3 * *run.moved_rms, 1e3 * *run.moved_most);
       most = std::fmax(most, *run.moved_most);
     }

@@ -18,8 +18,8 @@ fs::path scan_in(const fs::path& inputs) {
     if (entry.path().stem() == "scan" && entry.path().filename() != "scan.json")
       return entry.path();
   }
-  throw scan_cell_common::UnusableInput(inputs.string(), "holds no scan",
-                                        "take a run whose scan was finished");
+  throw scan_cell_common::UnusableInput(inputs.string(), "has no scan",
+                                        "give a run whose scan was completed");
 }
 
 bool is_result(const std::string& name) {

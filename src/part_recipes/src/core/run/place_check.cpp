@@ -72,7 +72,7 @@ PlaceCheck judge(const ReportedVerdict& verdict, const fs::path& object, double 
   using scan_cell_common::kMillimetres;
   PlaceCheck found;
   if (!verdict.accepted || verdict.similarities.empty()) {
-    found.message = "the part is not found again as it was scanned (" + verdict.reason +
+    found.message = "the part was not found again as it was scanned (" + verdict.reason +
                     "): " + verdict.message;
     return found;
   }
@@ -133,7 +133,7 @@ class Check {
     return {false,
             {},
             {},
-            "whether the part lies where it was scanned is not known: " + stage +
+            "it is not known whether the part lies where it was scanned: " + stage +
                 " failed: " + last_line(folder_.log())};
   }
 

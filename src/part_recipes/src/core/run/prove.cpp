@@ -16,7 +16,7 @@ using scan_cell_common::Refused;
 
 void check_within(const std::string& what, const std::optional<double>& deviation, double tolerance,
                   const std::string& run) {
-  const std::string cure = "see " + run + "; calibrate the cell, or make the recipe anew";
+  const std::string cure = "see " + run + "; calibrate the cell, or make the recipe again";
   if (!deviation) throw Refused(what, "not measured", cure);
   if (std::abs(*deviation) > tolerance) {
     throw Refused(what,

@@ -46,7 +46,7 @@ RunFolder::RunFolder(const fs::path& runs, const std::string& recipe_name)
   try {
     fs::create_directories(runs_);
     if (!fs::create_directory(partial_))
-      throw FileError(partial_.string(), "is there already", "run again");
+      throw FileError(partial_.string(), "already exists", "run again");
     fs::create_directory(partial_ / "inputs");
     fs::create_directory(partial_ / "stages");
   } catch (const fs::filesystem_error& error) {

@@ -199,7 +199,7 @@ class Run {
                                            folder_.path() / "object.ply", report});
       tell_cleaned_away(report, taken, record_);
     } catch (const scan_cell_common::Error& error) {
-      ended_.warn(std::string("not known whether the cleaning took it: ") + error.what());
+      ended_.warn(std::string("not known whether the cleaning removed it: ") + error.what());
     }
   }
 
@@ -211,8 +211,8 @@ class Run {
     if (is_robot_program(recipe_.path)) return;    // seen_waypoints reads none
     const ScannedWith with = read_scanned_with(*told);
     if (!keep_scanner_model(with)) {
-      ended_.warn("not known what the scan could see: no scanner model " + with.scanner +
-                  " as it was at the scan");
+      ended_.warn("not known what the scan could see: scanner model " + with.scanner +
+                  " is missing, or no longer as it was at the scan");
       return;
     }
     const int code = call(sight_call(recipe_, with.region, results() + "/report.json"));

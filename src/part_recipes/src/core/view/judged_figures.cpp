@@ -34,7 +34,7 @@ std::string scales_of(const StretchParameters& parameters) {
   const auto known = parameters.prior.scale.range();
   const double least = std::max(parameters.min_scale, known.least);
   const double most = std::min(parameters.max_scale, known.most);
-  if (least > most) return "none: the one that is known is out of min_scale to max_scale";
+  if (least > most) return "none: the known scale is outside min_scale to max_scale";
   if (least == most) return fmt::format("exactly {:.4g}", least);
   return fmt::format("{:.4g} to {:.4g}", least, most);
 }

@@ -157,7 +157,7 @@ void PreviewDisplay::place_ghost() {
 
 /// @return why the links have no poses; empty: they have
 std::string PreviewDisplay::place_links(const std::map<std::string, double>& joints) {
-  if (!model_) return description_->getStdString() + " is no URDF: no ghost";
+  if (!model_) return description_->getStdString() + " is not a URDF: no ghost";
   if (joints.empty()) return "the robot does not get there, or there is no such pose";
   try {
     links_ = model_->at(preview_->header.frame_id, joints);

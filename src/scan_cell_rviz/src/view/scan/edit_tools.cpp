@@ -9,7 +9,7 @@ namespace scan_cell_rviz {
 QString PolygonTool::help() const {
   return tr(
       "Polygon: click its corners, the first on the cloud; Return or a double click closes "
-      "it, Escape begins anew.");
+      "it, Escape starts again.");
 }
 
 void PolygonTool::press(const Ray& ray) {
@@ -31,7 +31,7 @@ void PolygonTool::begin_anew() {
 }
 
 QString PlaneTool::help() const {
-  return tr("Plane: click three points. The side of the viewer is deleted, or alone kept.");
+  return tr("Plane: click three points. The viewer's side is deleted, or alone is kept.");
 }
 
 void PlaneTool::press(const Ray& ray) {
@@ -75,7 +75,7 @@ void BrushTool::begin_anew() {
 }
 
 QString ClusterTool::help() const {
-  return tr("Cluster: click a point; all that hangs together with it is deleted, or alone kept.");
+  return tr("Cluster: click a point; everything connected to it is deleted, or alone is kept.");
 }
 
 void ClusterTool::press(const Ray& ray) {

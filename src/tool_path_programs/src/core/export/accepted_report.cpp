@@ -23,10 +23,10 @@ void check_is_of(const Json& report, const std::string& report_file, const std::
                   "only an accepted path becomes a program");
   const Json& output = report.at("files").at("output");
   if (output.is_null())
-    throw Refused(report_file, "it says of no file that it was accepted",
+    throw Refused(report_file, "it does not name the accepted file",
                   "give the report that stretch wrote with the path");
   if (output.at("sha256") != scan_cell_common::sha256_of_file(path))
-    throw Refused(path, "not the path that " + report_file + " accepted: its SHA-256 is another",
+    throw Refused(path, "not the path that " + report_file + " accepted: its SHA-256 differs",
                   "give the path as stretch wrote it, or stretch again");
 }
 

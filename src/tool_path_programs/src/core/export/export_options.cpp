@@ -36,17 +36,18 @@ WrittenProgram noether_yaml(const tool_paths::ToolPath& path, const std::string&
   const auto before = positions_of(path);
   const auto after = positions_of(again);
   if (before != after)
-    throw scan_cell_common::UnusableInput(file, "read back it differs",
+    throw scan_cell_common::UnusableInput(file, "it differs when read back",
                                           "please report this with the path");
   written.notes.push_back(std::to_string(before.size()) + " waypoints, read back the same");
-  if (!path.process_names.empty()) written.notes.emplace_back("process values have no place there");
+  if (!path.process_names.empty())
+    written.notes.emplace_back("process values are left out: the format has no place for them");
   return written;
 }
 
 const Language& language_for(const ExportOptions& options, const std::string& program) {
   if (!options.language.empty()) return language_named(options.language);
   if (const Language* language = language_of(program)) return *language;
-  throw scan_cell_common::InvalidParameter("program " + program, "its ending is of no language",
+  throw scan_cell_common::InvalidParameter("program " + program, "no language has its file ending",
                                            "give --language: " + language_names());
 }
 
@@ -65,13 +66,14 @@ Frames frames_of(const ExportOptions& options) {
 
 void ExportOptions::add(CLI::App& app) {
   app.add_option("--language", language,
-                 language_names() + "; without it the program's ending tells");
+                 language_names() + "; default: by the program's file ending");
   app.add_option("--dialect", settings.dialect,
-                 "controller, of languages with several (docs/robot_programs.md)");
-  app.add_option("--max-lines", settings.max_lines,
-                 "of a file or routine, longer programs are split; 0: what the controllers take");
+                 "controller, for languages with several (docs/robot_programs.md)");
+  app.add_option(
+      "--max-lines", settings.max_lines,
+      "lines of a file or routine; longer programs are split; 0: what the controllers accept");
   app.add_option("--max-speed-change", settings.max_speed_change,
-                 "share by which a speed may be rounded to what the language can say");
+                 "share by which a speed may change when rounded to what the language can express");
   app.add_option("--cell", cell,
                  "cell file: the tool's tip on the flange, and the world as user frame");
   app.add_option("--tool", tool, "number or name of the tool on the controller");

@@ -12,19 +12,20 @@ void describe(scan_cell_common::ParameterTable& table, ExportParameters& paramet
   table.add("speed_value", parameters.speed_value,
             "process value of the path that holds the speed on the way to its waypoint");
   table.choice("speed_unit", parameters.speed_unit, {"m/s", "mm/s", "m/min", "mm/min"},
-               "of that process value");
-  table.add("speed", parameters.speed, {1e-6, 10, "m/s"}, "of a path without that process value");
+               "unit of that process value");
+  table.add("speed", parameters.speed, {1e-6, 10, "m/s"},
+            "speed of a path without that process value");
   table.add("travel_speed", parameters.travel_speed, {1e-6, 10, "m/s"},
-            "between segments, to them and away from them");
+            "speed between segments, to them and away from them");
   table.add("joint_speed", parameters.joint_speed, {0.001, 1},
-            "of the way to the first approach: share of the axes' own speed");
+            "speed of the move to the first approach: share of the axes' own speed");
   table.add("zone", parameters.zone, {0, 1, "m"},
             "how far from a waypoint the tool may leave its lines, so that it need not stop there; "
             "at most 45 % of the way to a neighbour; at the ends of segments it stops");
   table.add("approach", parameters.approach, {0, 10, "m"},
-            "in front of each segment, along the tool's axis");
+            "length of the approach in front of each segment, along the tool's axis");
   table.add("retract", parameters.retract, {0, 10, "m"},
-            "behind each segment, along the tool's axis");
+            "length of the retract behind each segment, along the tool's axis");
   table.add("tool_output", parameters.tool_output,
             "digital output that switches the tool, as the language names it; empty: none");
 }

@@ -83,7 +83,7 @@ std::string fanuc_speed(double speed, double max_change, std::size_t waypoint) {
         waypoint_name(waypoint),
         fmt::format("speed {:g} mm/s, which would become {}", 1e3 * speed,
                     best.empty() ? "0" : best),
-        "whole mm/sec, whole cm/min and tenths of inch/min can be said: give one of these, or a "
+        "whole mm/sec, whole cm/min and tenths of inch/min are possible: give one of these, or a "
         "greater max_speed_change");
   return best;
 }
@@ -145,7 +145,7 @@ void check_fanuc_name(const std::string& name, std::size_t longest) {
   if (better == name) return;
   throw UnusableInput(
       "program '" + scan_cell_common::excerpt(name) + "'",
-      fmt::format("names of FANUC begin with a letter and have at most {} letters of ASCII, digits "
+      fmt::format("FANUC names begin with a letter and have at most {} ASCII letters, digits "
                   "and _",
                   longest),
       "name it " + better + ", for example");

@@ -156,7 +156,7 @@ class Writing {
     if (turn >= kOpenTurn)
       throw UnusableInput(name_of_waypoint(),
                           fmt::format("turned by {:.4g} degrees from the one before, which leaves "
-                                      "open which way round",
+                                      "the direction of the turn ambiguous",
                                       turn * 180 / M_PI),
                           "put a waypoint between them");
   }
@@ -168,7 +168,7 @@ class Writing {
     const auto index = scan_cell_common::parse_count(number);
     if (!index || *index == 0 || *index > 99999 || std::to_string(*index) != number ||
         (robot_output && name.back() != ']'))
-      throw UnusableInput("output '" + scan_cell_common::excerpt(name) + "'", "no output of FANUC",
+      throw UnusableInput("output '" + scan_cell_common::excerpt(name) + "'", "not a FANUC output",
                           "give the number of a digital output, such as 5, or RO[5]");
     if (last_ && last_->zone > 0)
       throw UnusableInput(name_of_waypoint(), "an output that changes on the way",

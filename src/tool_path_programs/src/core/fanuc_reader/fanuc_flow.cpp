@@ -29,7 +29,7 @@ bool FanucFlow::moves(const std::string& name, const TokenReader& where) {
   const auto known = moves_.find(program);
   if (known != moves_.end()) return known->second;
   if (++depth_ > kDeepestFanucCall)
-    where.fail("calls that are nested deeper than 50", "give a program with fewer of them");
+    where.fail("calls nested deeper than 50", "give a program with fewer of them");
   moves_[program] = false;  // meanwhile, so that circular calls end
   const bool found =
       std::any_of(program->statements.begin(), program->statements.end(),
@@ -62,7 +62,7 @@ void FanucFlow::check(const FanucProgram& program) {
       where.fail("a motion, or a change of frames, under a condition or in a loop", kOneOrder);
     if (statements[i].kind == Kind::kBegin) ++depth;
     if (statements[i].kind == Kind::kEnd && depth-- == 0)
-      where.fail("an end of what did not begin", "correct the program");
+      where.fail("an end without a beginning", "correct the program");
     if (statements[i].kind == Kind::kLabel) labels[statements[i].label] = i;
     moving.push_back(moving.back() + (is_moving ? 1 : 0));
   }

@@ -12,7 +12,7 @@ namespace {
 
 using scan_cell_common::lower_case;
 
-constexpr const char* kAsNumbers = "let the program have it as numbers";
+constexpr const char* kAsNumbers = "write it into the program as numbers";
 
 MotionKind read_kind(TokenReader& reader) {
   const std::string letter = lower_case(reader.name());
@@ -64,7 +64,7 @@ double read_speed(TokenReader& reader, MotionKind kind) {
   }
   const double speed = number * read_unit(reader);
   if (kind == MotionKind::kJoint)
-    reader.fail("a joint move whose speed is no share of the axes' own", "give it in %");
+    reader.fail("a joint move whose speed is not a share of the axes' own", "give it in %");
   return speed;
 }
 
@@ -87,8 +87,8 @@ void check_options(TokenReader& reader, std::size_t end) {
   while (reader.position() < end) {
     const std::string word = lower_case(reader.peek().text);
     if (std::find(shifting.begin(), shifting.end(), word) != shifting.end())
-      reader.fail(word + ": where this ends only the running program knows",
-                  "give a program whose poses stand in its text");
+      reader.fail(word + ": only the running program knows where this ends",
+                  "give a program whose poses are written in its text");
     reader.next();
   }
 }

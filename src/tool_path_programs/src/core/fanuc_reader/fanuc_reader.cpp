@@ -84,9 +84,9 @@ class Reading {
       return;
     }
     if (std::find(calls_.begin(), calls_.end(), called) != calls_.end())
-      where.fail(name + " calls itself", "give a program without such calls");
+      where.fail(name + " calls itself", "give a program without recursion");
     if (calls_.size() >= kDeepestFanucCall)
-      where.fail("calls that are nested deeper than 50", "give a program with fewer of them");
+      where.fail("calls nested deeper than 50", "give a program with fewer of them");
     run(*called);
   }
 
@@ -125,7 +125,7 @@ class Reading {
     if (reader.at_name("PULSE")) return;
     const bool on = reader.at_name("ON");
     if (!index || !(on || reader.at_name("OFF")))
-      where.fail("an output that is computed at run time", "let it be a number and ON or OFF");
+      where.fail("an output that is computed at run time", "give a number and ON or OFF");
     const std::string number = std::to_string(*index);
     text_.program.steps.emplace_back(SetOutput{kind == "do" ? number : "RO[" + number + "]", on});
     text_.steps.push_back({where.place(), {}, {}});
@@ -162,7 +162,7 @@ class Reading {
     const std::string name = "P[" + std::to_string(index) + "]";
     if (const auto changed = changed_.find({&program, index}); changed != changed_.end())
       where.fail(name + " is computed at run time, in line " + std::to_string(changed->second),
-                 "let the program have it as numbers");
+                 "write it into the program as numbers");
     const auto found = program.positions.find(index);
     if (found == program.positions.end())
       where.fail(name + " is not in /POS", "give all of the program");
@@ -176,7 +176,7 @@ class Reading {
     FanucPose numbers{};
     for (std::size_t i = 0; i < numbers.size(); ++i) {
       if (!position.pose[i])
-        where.fail("P[" + std::to_string(index) + "] was not taught", "let it have all numbers");
+        where.fail("P[" + std::to_string(index) + "] was not taught", "give it all numbers");
       numbers[i] = position.pose[i]->value;
     }
     text_.poses.push_back({pose_of(numbers), {program.file, position.line}, position.offset});

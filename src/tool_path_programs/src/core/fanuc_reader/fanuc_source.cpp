@@ -142,7 +142,7 @@ void FanucSource::read(std::size_t file) {
   reader.expect('/');
   reader.expect("prog");
   const std::string name = reader.name();
-  if (program(name)) reader.fail(name + " is there twice", "give each program once");
+  if (program(name)) reader.fail(name + " appears twice", "give each program once");
   FanucProgram& program = programs_.emplace_back();
   program.name = name;
   program.file = file;
@@ -184,13 +184,13 @@ void FanucSource::read_positions(TokenReader& reader, FanucProgram& program) {
   while (!at_section(reader, "end")) {
     pass_over_line_ends(reader);
     if (at_section(reader, "end")) break;
-    if (!reader.at_name("P")) reader.fail("no position", "a position P[..]{ should stand there");
+    if (!reader.at_name("P")) reader.fail("no position", "expected a position P[..]{");
     TokenReader number = reader;
     number.next();
     const auto index = read_fanuc_index(number);
     const FanucPosition position = read_fanuc_position(reader);
     if (!index || !program.positions.emplace(*index, position).second)
-      number.fail("a position without a number of its own", "correct the program");
+      number.fail("a position without its own number", "correct the program");
     pass_over_line_ends(reader);
     if (reader.at_end()) reader.fail("no /END", "give all of the file");
   }

@@ -63,14 +63,14 @@ class Limits {
                                                   "G59", "G59.1", "G59.2", "G59.3"};
     const Frame& user = frames.user;
     if (!user.name.empty() && systems.count(user.name) == 0)
-      throw UnusableInput("user frame " + user.name, "no coordinate system of G-code",
+      throw UnusableInput("user frame " + user.name, "not a G-code coordinate system",
                           "name it G54 to G59, or G59.1 to G59.3");
     if (user.name.empty() && user.pose)
-      throw UnusableInput("user frame", "its place cannot stand in the program",
-                          "name the system that is set so on the machine: G54 to G59.3");
+      throw UnusableInput("user frame", "its pose cannot be written into the program",
+                          "name the system that is set to it on the machine: G54 to G59.3");
     constexpr int kMostTools = 100000;
     if (!frames.tool.name.empty() && !is_number(frames.tool.name, kMostTools))
-      throw UnusableInput("tool " + frames.tool.name, "no number of a tool",
+      throw UnusableInput("tool " + frames.tool.name, "not a tool number",
                           "give the number in the machine's tool table");
   }
 
@@ -106,13 +106,13 @@ class Limits {
     const double way = dialect_.says_orientations() ? angle : tilt;
     if (dialect_.name() != "xyz" && way >= kOpenTurn)
       fail(fmt::format("turned by {:.1f} degrees from the one before", way * 180 / M_PI),
-           "which way round is open: put a waypoint between the two");
+           "the direction of the turn is ambiguous: put a waypoint between the two");
   }
 
   void check(const SetOutput& output) const {
     if (output.output != "spindle" && output.output != "mist" && output.output != "flood" &&
         !is_number(output.output, kMostOutputs))
-      throw UnusableInput("output " + output.output, "no output of G-code",
+      throw UnusableInput("output " + output.output, "not a G-code output",
                           "give 0 to 63, spindle, mist or flood");
     if (before_ != nullptr && before_->zone > 0)
       fail("a zone where output " + output.output + " switches", "give it a zone of 0");

@@ -85,7 +85,7 @@ class Writer {
         throw scan_cell_common::UnusableInput(
             fmt::format("program {}, waypoint {}", program_.name, waypoint_),
             fmt::format("axis {} turns by {:.1f} degrees in one step", letter, way),
-            "the tool passes a direction where the axes turn over: turn the part on the table, or "
+            "the tool passes a direction where the axes flip: turn the part on the table, or "
             "put waypoints between");
       text_ += fmt::format(" {}{}", letter,
                            fixed(axes[axis], axis > 2 ? kDegreeDigits : kMillimetreDigits));

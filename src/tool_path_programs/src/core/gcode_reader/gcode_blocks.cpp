@@ -70,7 +70,7 @@ class Lines {
     word.offset = at_;
     word.letter = upper(text_[at_]);
     if (word.letter < 'A' || word.letter > 'Z')
-      fail(scan_cell_common::excerpt(text_.substr(at_, end_ - at_)), "a word should stand there");
+      fail(scan_cell_common::excerpt(text_.substr(at_, end_ - at_)), "expected a word");
     ++at_;
     while (at_ < end_ && (text_[at_] == ' ' || text_[at_] == '\t'))
       ++at_;

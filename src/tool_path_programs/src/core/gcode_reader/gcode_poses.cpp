@@ -80,7 +80,7 @@ class Rewriting {
   [[noreturn]] void refuse_arc(const GcodeBlock& block) const {
     throw scan_cell_common::UnusableInput(
         text_.files[0].name + ", line " + std::to_string(block.line),
-        "an arc (G2, G3) whose ends are to move", "say it as lines");
+        "an arc (G2, G3) whose ends are to move", "write it as lines");
   }
 
   void replace(const GcodeWord& word, Eigen::Index axis, double value) {

@@ -148,14 +148,15 @@ class Writer {
     const double said = scan_cell_common::parse_number(text).value_or(0) * unit;
     if (said > 0 && std::abs(said - wanted) <= settings_.max_speed_change * wanted) return;
     refuse(fmt::format("{:g} {}", wanted, what),
-           fmt::format("{:g} is what can be said; give that, or a greater max_speed_change",
+           fmt::format("the language can express {:g}: give that, or a greater max_speed_change",
                        std::max(said, text.find('.') == std::string::npos ? unit : 1e-7)));
   }
 
   void set_zone(const Move& move) {
     if (!(move.zone > 0)) return;
     if (move.kind == MotionKind::kJoint)
-      refuse("a joint move with a zone", "KRL gives it in percent: let it stop, zone 0");
+      refuse("a joint move with a zone",
+             "KRL gives it in percent: let the tool stop there, zone 0");
     const std::string text = shortest(1000 * move.zone, kZoneDigits);
     if (text == "0") refuse(fmt::format("zone {:g} m", move.zone), "give 1e-7 m, or 0 for a stop");
     set(zone_, "$APO.CDIS=", text);
@@ -172,7 +173,7 @@ class Writer {
     const double turn = turn_between(*last_, move);
     if (turn >= kOpenTurn)
       refuse(fmt::format("the tool turns by {:.4g} degrees in one step", turn * 180 / M_PI),
-             "which way round is open: put a waypoint between");
+             "the direction of the turn is ambiguous: put a waypoint between");
   }
 
   static std::string literal(const Eigen::Isometry3d& pose) {
@@ -189,7 +190,7 @@ class Writer {
   std::vector<std::string> notes() const {
     std::vector<std::string> notes = {
         "the first motion goes to where the robot stands (PTP $AXIS_ACT); S and T are not given: "
-        "start near the first pose, with the arm as it shall be"};
+        "start near the first pose, with the arm in the intended configuration"};
     if (open_frames_) notes.emplace_back("tool or base is what the controller has at the start");
     if (given_tool_) notes.emplace_back("the tool's load is what the controller has: set $LOAD");
     return notes;

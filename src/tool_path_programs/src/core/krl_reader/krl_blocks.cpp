@@ -38,7 +38,7 @@ void KrlRun::check_line_of_block() {
   const Token& after = line.peek_after();
   const std::string symbol = after.kind == TokenKind::kSymbol ? std::string(after.text) : "";
   if (krl_word_moves(word) || (word == "goto" && calls_.back().routine->moves))
-    line.fail(word + " under a condition or in a loop: the order of the motions is open",
+    line.fail(word + " under a condition or in a loop: the order of the motions is not known",
               "give a program that moves one pose after the other");
   if (word == "$vel") setter_.settings.speed.reset();
   if (word == "$vel_axis") setter_.settings.joint_speed.reset();

@@ -14,7 +14,7 @@ namespace {
 using scan_cell_common::lower_case;
 using scan_cell_common::UnusableInput;
 
-const char* const kGiveLiteral = "only poses that stand in the files as numbers can be adapted";
+const char* const kGiveLiteral = "only poses written in the files as numbers can be adapted";
 
 /// Two frames are the same if names and places are identical to the last bit.
 std::string key_of(const Frame& frame) {
@@ -198,7 +198,7 @@ std::size_t KrlMotions::pose_text(const KrlAggregate& literal, std::size_t frame
   if (is_new) {
     text_.poses.push_back({pose, literal.place, literal.offset});
   } else if (!text_.poses[known->second].pose.isApprox(pose, 1e-12)) {
-    throw UnusableInput(where, "a pose that means another place each time", "give all six numbers");
+    throw UnusableInput(where, "a pose whose place differs each time", "give all six numbers");
   }
   return known->second;
 }

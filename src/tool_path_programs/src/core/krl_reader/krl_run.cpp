@@ -142,7 +142,7 @@ bool KrlRun::flow(const std::string& word) {
   else if (word == "interrupt")
     interrupt();
   else if (word == "goto" && calls_.back().routine->moves)
-    reader().fail("GOTO: the order of the motions is open", "give a program without");
+    reader().fail("GOTO: the order of the motions is not known", "give a program without GOTO");
   else
     return word == "goto" || word == "wait" || word == "continue" || word == "halt";
   return true;
@@ -180,7 +180,7 @@ void KrlRun::call(const std::string& name) {
                                      [&](const Call& call) { return call.routine == routine; });
   if (in_circle || calls_.size() >= kDeepestCall) {
     if (!routine->moves) return;
-    reader().fail(in_circle ? name + " calls itself" : "calls within calls, 40 deep",
+    reader().fail(in_circle ? name + " calls itself" : "calls nested 40 deep",
                   "give a program that ends");
   }
   if (routine->gives_back) give_back_arguments();

@@ -163,7 +163,7 @@ class Writer {
     const double said = scan_cell_common::parse_number(text).value_or(0) * unit;
     if (said > 0 && std::abs(said - wanted) <= settings_.max_speed_change * wanted) return;
     refuse(fmt::format("{:g} {}", wanted, what),
-           fmt::format("{:g} is what can be said; give that, or a greater max_speed_change",
+           fmt::format("the language can express {:g}: give that, or a greater max_speed_change",
                        std::max(said, least)));
   }
 
@@ -183,7 +183,8 @@ class Writer {
   void check_way(const Move& move) const {
     if (move.kind == MotionKind::kJoint) {
       if (move.zone > 0)
-        refuse("a joint move with a zone", "PDL2 gives it in percent: let it stop, zone 0");
+        refuse("a joint move with a zone",
+               "PDL2 gives it in percent: let the tool stop there, zone 0");
       return;
     }
     if (!last_ && move.kind == MotionKind::kCircular)
@@ -192,13 +193,13 @@ class Writer {
     const double turn = turn_between(*last_, move);
     if (turn >= kOpenTurn)
       refuse(fmt::format("the tool turns by {:.4g} degrees in one step", turn * 180 / M_PI),
-             "which way round is open: put a waypoint between");
+             "the direction of the turn is ambiguous: put a waypoint between");
   }
 
   std::vector<std::string> notes() const {
     std::vector<std::string> notes = {
         "configurations and turns are not given ($CNFG_CARE, $TURN_CARE := FALSE): start near the "
-        "first pose, with the arm as it shall be"};
+        "first pose, with the arm in the intended configuration"};
     if (open_frames_) notes.emplace_back("tool or user frame is what the controller has");
     return notes;
   }

@@ -13,7 +13,7 @@ namespace {
 using scan_cell_common::lower_case;
 using scan_cell_common::UnusableInput;
 
-const char* const kGiveLiteral = "only poses that stand in the files as numbers can be adapted";
+const char* const kGiveLiteral = "only poses written in the files as numbers can be adapted";
 
 std::string key_of(const Frame& frame) {
   std::string key = frame.name + '\n';
@@ -108,7 +108,7 @@ Pdl2Run::Target Pdl2Run::named_target() {
 void Pdl2Run::clauses() {
   while (!at_statement_end(reader())) {
     if (reader().at_name("syncmove"))
-      reader().fail("SYNCMOVE: another arm moves as well", "give a program of one arm");
+      reader().fail("SYNCMOVE: another arm moves, too", "give a program for one arm");
     if (reader().accept("with")) {
       with();
     } else if (reader().accept(',')) {

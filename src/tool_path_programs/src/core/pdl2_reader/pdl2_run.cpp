@@ -99,7 +99,7 @@ bool Pdl2Run::flow(const std::string& word) {
   else if (!end_of(word).empty())
     skip_block(word);
   else if (word == "goto" && bodies_.back()->moves)
-    reader().fail("GOTO: the order of the motions is open", "give a program without");
+    reader().fail("GOTO: the order of the motions is not known", "give a program without GOTO");
   else
     return word == "goto";
   return true;
@@ -149,7 +149,7 @@ void Pdl2Run::call(const std::string& name) {
   const bool in_circle = std::find(bodies_.begin(), bodies_.end(), body) != bodies_.end();
   if (in_circle || bodies_.size() >= kDeepestCall) {
     if (!body->moves) return;
-    reader().fail(in_circle ? name + " calls itself" : "calls within calls, 40 deep",
+    reader().fail(in_circle ? name + " calls itself" : "calls nested 40 deep",
                   "give a program that ends");
   }
   reader().next();
@@ -195,7 +195,7 @@ void Pdl2Run::check_line_of_block(bool first) {
     if (line.peek().kind == TokenKind::kName) {
       const std::string word = lower_case(line.peek().text);
       if (pdl2_word_moves(word) || (word == "goto" && bodies_.back()->moves))
-        line.fail(word + " under a condition or in a loop: the order of the motions is open",
+        line.fail(word + " under a condition or in a loop: the order of the motions is not known",
                   "give a program that moves one pose after the other");
       if (word == "$lin_spd") settings_.speed.reset();
     }

@@ -18,9 +18,9 @@ bool is_pose(const Eigen::Isometry3d& pose) {
 
 /// What is wrong with a move; empty: nothing.
 std::string fault_of(const Move& move, std::size_t frames) {
-  if (!is_pose(move.pose)) return "its pose is not finite, or its rotation is none";
+  if (!is_pose(move.pose)) return "its pose is not finite, or its rotation is invalid";
   if (move.kind == MotionKind::kCircular && !move.via) return "a circular move without via";
-  if (move.via && !is_pose(*move.via)) return "its via is not finite, or its rotation is none";
+  if (move.via && !is_pose(*move.via)) return "its via is not finite, or its rotation is invalid";
   if (!(move.zone >= 0) || !std::isfinite(move.zone)) return "zone " + std::to_string(move.zone);
   if (move.kind == MotionKind::kJoint) {
     if (!(move.joint_speed > 0 && move.joint_speed <= 1))

@@ -67,7 +67,7 @@ void RapidFrames::declare(const std::string& name, const Eigen::Isometry3d& pose
   for (const auto& [known, other] : declared_) {
     if (lower_case(known) != key) continue;
     if (same(other, pose)) return;
-    throw UnusableInput(name, "one name for two poses", "give each frame a name of its own");
+    throw UnusableInput(name, "two poses have this name", "give each frame its own name");
   }
   declared_.emplace_back(name, pose);
   const std::string text = rapid_pose(pose);

@@ -49,7 +49,7 @@ void check_rapid_name(const std::string& thing, const std::string& name, std::si
   if (name.empty())
     fault = "no name";
   else if (!is_letter(name.front()) || !std::all_of(name.begin(), name.end(), is_of_names))
-    fault = "names of RAPID begin with a letter and have letters of ASCII, digits and _ alone";
+    fault = "RAPID names begin with a letter and have only ASCII letters, digits and _";
   else if (is_reserved(name))
     fault = "a word of RAPID itself";
   else if (name.size() > longest)

@@ -45,7 +45,7 @@ class Writing {
     if (max_lines_ < kFewestLines)
       throw InvalidParameter("max_lines", std::to_string(max_lines_), "give 20 or more, or 0");
     if (!settings_.dialect.empty() && settings_.dialect != "irc5")
-      throw InvalidParameter("dialect", settings_.dialect, "RAPID has irc5 alone");
+      throw InvalidParameter("dialect", settings_.dialect, "RAPID has only irc5");
     check_rapid_name("program", program_.name, kLongestRapidName - std::string("mod__9999").size());
   }
 
@@ -93,7 +93,7 @@ class Writing {
     if (turn >= kOpenTurn)
       throw UnusableInput(thing,
                           fmt::format("turned by {:.4g} degrees from the one before, which leaves "
-                                      "open which way round",
+                                      "the direction of the turn ambiguous",
                                       turn * 180 / M_PI),
                           "put a waypoint between them");
   }
@@ -184,8 +184,8 @@ class Writing {
     if (switches_on_the_way_)
       notes.emplace_back("outputs that change on the way do so in the middle of the zone");
     notes.emplace_back(
-        "the arm's configuration is not supervised (ConfJ, ConfL off): begin near "
-        "the first pose, with the arm as it should be");
+        "the arm's configuration is not supervised (ConfJ, ConfL off): start near "
+        "the first pose, with the arm in the intended configuration");
     const auto of_frames = frames_.notes();
     notes.insert(notes.end(), of_frames.begin(), of_frames.end());
   }

@@ -85,11 +85,11 @@ void RapidDataState::fail_at(const RapidArgument& argument, const RapidRoutine& 
   if (data && changed_.count(data) != 0)
     reader.fail(
         name + " is computed at run time, in line " + std::to_string(changed_.at(data).line),
-        "let the program have it as numbers");
+        "write it into the program as numbers");
   if (data && data->values.empty())
-    reader.fail(name + " has no value in the text", "let the program have it as numbers");
+    reader.fail(name + " has no value in the text", "write it into the program as numbers");
   reader.fail(scan_cell_common::excerpt(name) + ".., a value that is computed at run time",
-              "let the program have it as numbers");
+              "write it into the program as numbers");
 }
 
 double RapidDataState::speed_of(const RapidArgument& argument, const RapidRoutine& routine) const {
@@ -111,7 +111,7 @@ bool RapidDataState::output_of(const RapidArgument& argument, const RapidRoutine
   const double value = reader.number().value;
   const bool alone = reader.at_symbol(',') || reader.at_symbol(';');
   if (!alone || (value != 0 && value != 1))
-    at(argument, routine).fail("an output that becomes neither 0 nor 1", "let it be one of these");
+    at(argument, routine).fail("an output that is set to neither 0 nor 1", "set it to 0 or 1");
   return value == 1;
 }
 

@@ -68,7 +68,7 @@ class Reading {
     if (RapidPassedOver::begins_here(reader)) return passed_over_.pass_over(reader, routine);
     if (reader.at_name("GOTO")) reader.fail("GOTO", "give the program that moves in one order");
     if (reader.at_symbol('%'))
-      reader.fail("a routine whose name is made at run time", "call it by its name");
+      reader.fail("a routine whose name is computed at run time", "call it by its name");
     if (at_rapid_assignment(reader)) return data_.assign(reader, routine);
     if (reader.at_name("CONNECT")) return pass_over_rapid_statement(reader);
     if (reader.at_name("EXIT")) {
@@ -88,7 +88,7 @@ class Reading {
     if (const RapidMotion* motion = rapid_motion(call.name))
       return move(call, *motion, routine, where);
     if (const char* reason = rapid_unresolvable(call.name))
-      where.fail(call.name + ", " + reason, "give a program whose poses stand in its text");
+      where.fail(call.name + ", " + reason, "give a program whose poses are written in its text");
     const std::string key = lower_case(call.name);
     if (key == "setdo" || key == "set" || key == "reset")
       return set_output(call, key, routine, where);
@@ -103,11 +103,11 @@ class Reading {
 
   void follow(const RapidRoutine& called, const TokenReader& where) {
     if (called.kind != RapidRoutineKind::kProcedure)
-      where.fail(called.name + ", which is no PROC", "correct the program");
+      where.fail(called.name + ", which is not a PROC", "correct the program");
     if (std::find(calls_.begin(), calls_.end(), &called) != calls_.end())
-      where.fail(called.name + " calls itself", "give a program without such calls");
+      where.fail(called.name + " calls itself", "give a program without recursion");
     if (calls_.size() >= kDeepestCall)
-      where.fail("calls that are nested deeper than 50", "give a program with fewer of them");
+      where.fail("calls nested deeper than 50", "give a program with fewer of them");
     run(called);
   }
 
@@ -212,7 +212,7 @@ class Reading {
     TokenReader reader = data_.value_of(argument, routine);
     if (!reader.at_symbol('['))
       source_.reader(routine.file, argument.begin)
-          .fail(std::string(reader.peek().text) + ", which is no position", "give a robtarget");
+          .fail(std::string(reader.peek().text) + ", which is not a position", "give a robtarget");
     const Place place = reader.place();
     const std::size_t offset = reader.peek().offset;
     const auto [known, is_new] =

@@ -97,7 +97,7 @@ WrittenProgram write_checked(const Language& language, const Program& program,
       first_difference(program, read.program, language.unsaid(settings), limits);
   if (!difference.empty())
     throw scan_cell_common::UnusableInput(language.title() + " program " + program.name,
-                                          "read back it differs: " + difference,
+                                          "it differs when read back: " + difference,
                                           "nothing was written; please report this with the path");
   return written;
 }

@@ -82,13 +82,13 @@ class Straightening {
     const std::string where = to_string(source.place, text_.files);
     const std::string why =
         language_.moves_arcs()
-            ? fmt::format("on the part this arc is no circle any more: {:.2g} mm off", 1e3 * error)
+            ? fmt::format("on the part this arc is no longer a circle: {:.2g} mm off", 1e3 * error)
             : "an arc that moves";
     if (!source.arc)
       throw UnusableInput(where, why, "allow it by an arc tolerance, or write the arc as lines");
     if (turns_over_half_a_circle(step))
       throw UnusableInput(where, why + "; along more than half a circle the tool turns",
-                          "which way round is open: write the arc as lines");
+                          "the direction of the turn is ambiguous: write the arc as lines");
     ArcLines arc{step, start_of(step), vertices(step)};
     const auto [first, is_new] =
         statements_.insert({{source.place.file, source.arc->statement.begin}, arcs_.size()});
@@ -96,8 +96,8 @@ class Straightening {
       notes_.push_back(fmt::format("{}: {}; it became {} lines", where, why, arc.poses.size() + 1));
       arcs_.push_back(std::move(arc));
     } else if (!are_same(arcs_[first->second].poses, arc.poses)) {
-      throw UnusableInput(where, why + ", and it is run in two places",
-                          "give each of them a statement of its own");
+      throw UnusableInput(where, why + ", and it runs in two places",
+                          "give each its own statement");
     }
     straight_[step] = first->second;
   }
@@ -167,7 +167,7 @@ class Straightening {
         first_difference(as_lines(lines), lines.program, language_.unsaid(as_it_was));
     if (!difference.empty())
       throw UnusableInput(language_.title() + " program " + text_.program.name,
-                          "with lines in place of arcs it reads otherwise: " + difference,
+                          "it reads differently with lines in place of arcs: " + difference,
                           "allow its arcs by an arc tolerance, or write them as lines");
     return lines;
   }

@@ -87,7 +87,7 @@ class Maker {
                           "let a move to a pose come before it");
     const auto circle = Circle::through(last_->translation(), via.translation(), to.translation());
     if (!circle)
-      throw UnusableInput(where(text_, step), "an arc whose three positions make no circle",
+      throw UnusableInput(where(text_, step), "an arc whose three positions do not define a circle",
                           "correct the program");
     const double length = circle->radius() * circle->sweep();
     if (!(length <= kLongestArc))
@@ -141,8 +141,8 @@ class Maker {
     if (is_new) return false;
     if (!known->second.isApprox(pose, 1e-9))
       throw UnusableInput(where(text_, step),
-                          "its pose is used in two user frames, and has one place in the text",
-                          "give each move a pose of its own");
+                          "its pose is written once, but used in two user frames",
+                          "give each move its own pose");
     return true;
   }
 
@@ -251,7 +251,7 @@ std::vector<SourceFile> with_poses(const Language& language, const ProgramText& 
                                                   language.unsaid(as_it_was), limits);
   if (!difference.empty())
     throw UnusableInput(language.title() + " program " + text.program.name,
-                        "read back it differs: " + difference,
+                        "it differs when read back: " + difference,
                         "nothing was written; please report this with the program");
   return files;
 }

@@ -71,15 +71,15 @@ bool TokenReader::accept(std::string_view name) {
 }
 
 void TokenReader::expect(char symbol) {
-  if (!accept(symbol)) fail(here(), std::string("a '") + symbol + "' should stand there");
+  if (!accept(symbol)) fail(here(), std::string("expected '") + symbol + "'");
 }
 
 void TokenReader::expect(std::string_view name) {
-  if (!accept(name)) fail(here(), std::string(name) + " should stand there");
+  if (!accept(name)) fail(here(), "expected " + std::string(name));
 }
 
 std::string TokenReader::name() {
-  if (peek().kind != TokenKind::kName) fail(here(), "a name should stand there");
+  if (peek().kind != TokenKind::kName) fail(here(), "expected a name");
   return std::string(next().text);
 }
 
@@ -88,7 +88,7 @@ NumberText TokenReader::number() {
   const bool minus = at_symbol('-');
   if (minus || at_symbol('+')) next();
   if (peek().kind != TokenKind::kNumber)
-    fail(here(), "a number should stand there; values that are computed are not known here");
+    fail(here(), "expected a number; computed values are not known here");
   const Token& digits = next();
   return {minus ? -digits.number : digits.number, offset,
           digits.offset + digits.text.size() - offset};

@@ -107,7 +107,7 @@ class Tokenizer {
     throw scan_cell_common::UnusableInput(
         file_.name + ", line " + std::to_string(line_),
         value + ": " + scan_cell_common::excerpt(text_.substr(at_, to_line_end())),
-        "give a program that its controller takes");
+        "give a program that its controller accepts");
   }
 
   const SourceFile& file_;

@@ -71,7 +71,7 @@ class Limits {
       check_name("user frame " + name, name);
       const auto [at, added] = known.try_emplace(name, &frames.user);
       if (!added && !same_frame(*at->second, frames.user))
-        throw UnusableInput("user frame " + name, "two places of one name",
+        throw UnusableInput("user frame " + name, "two places have this name",
                             "give each frame its own name");
       if (is_function(name))
         throw UnusableInput("user frame " + name, "named as a function of the program",
@@ -127,7 +127,7 @@ class Limits {
       throw UnusableInput(
           waypoint(),
           fmt::format("turned by {:.1f} degrees from the one before", angle * 180 / M_PI),
-          "which way round is open: put a waypoint between the two");
+          "the direction of the turn is ambiguous: put a waypoint between the two");
   }
 
   /// Refuses zones that overlap: the controller would leave out a blend, or stop.
@@ -169,7 +169,7 @@ class Limits {
 
   void check(const SetOutput& output) const {
     if (!is_output(output.output))
-      throw UnusableInput("output " + output.output, "no digital output of the controller",
+      throw UnusableInput("output " + output.output, "not a digital output of the controller",
                           "give 0 to 7, configurable_0 to configurable_7, tool_0 or tool_1");
     if (before_.move && before_.move->zone > 0)
       throw UnusableInput(before(), "a zone where output " + output.output + " switches",

@@ -127,8 +127,7 @@ class Writer {
     note(fmt::format(
         "accelerations are the manual's defaults: {} m/s^2 along lines, {} rad/s^2 of joint moves",
         kLinearAcceleration, kJointAcceleration));
-    if (posture_is_open_)
-      note("joint moves end in the posture that is nearest to where the robot stands");
+    if (posture_is_open_) note("joint moves end in the posture nearest to where the robot stands");
   }
 
   void note(const std::string& line) {

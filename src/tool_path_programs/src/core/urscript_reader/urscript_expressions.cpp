@@ -60,7 +60,8 @@ const ScriptValue* ScriptArguments::find(const std::string& name, std::size_t po
 }
 
 ScriptValue ScriptExpressions::value() {
-  if (++depth_ > kDeepestBrackets) reader_.fail("brackets within brackets", "take it apart");
+  if (++depth_ > kDeepestBrackets)
+    reader_.fail("brackets nested too deeply", "split the expression");
   ScriptValue value = sum();
   if (!at_delimiter()) {
     value = ScriptValue();
@@ -236,7 +237,8 @@ ScriptValue ScriptExpressions::pose(const Place& place, std::size_t offset) {
   if (numbers.head<3>().cwiseAbs().maxCoeff() > kFarthest ||
       numbers.tail<3>().cwiseAbs().maxCoeff() > kWidest) {
     reader_.go_to(begin);
-    reader_.fail("a pose of great numbers", "give metres and a rotation vector in radians");
+    reader_.fail("a pose with numbers that are too large",
+                 "give metres and a rotation vector in radians");
   }
   ScriptValue value;
   value.kind = Kind::kPose;

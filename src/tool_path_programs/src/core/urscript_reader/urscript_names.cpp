@@ -111,7 +111,7 @@ std::string fault_of_urscript_name(const std::string& name) {
     return "'" + name.substr(0, kLongestName) + "...' has more than " +
            std::to_string(kLongestName) + " characters";
   if (urscript_name_like(name) != name)
-    return "'" + name + "' is no name of letters, digits and _, or one of the language itself";
+    return "'" + name + "' is not a name of letters, digits and _, or is a word of the language";
   return "";
 }
 

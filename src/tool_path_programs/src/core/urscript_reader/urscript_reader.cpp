@@ -85,7 +85,7 @@ class Run {
 
   Flow run(const TokenRange& range) {
     if (++depth_ > kDeepest)
-      script_.fail(script_.place(range.file, range.begin), "calls or loops within each other",
+      script_.fail(script_.place(range.file, range.begin), "calls or loops nested too deeply",
                    "give a program with fewer levels");
     file_ = range.file;
     reader().go_to(range.begin);
@@ -105,7 +105,7 @@ class Run {
     } else if (reader().at_symbol('$')) {
       reader().skip_line();  // labels of the pendant's program tree
     } else if (reader().peek().kind != TokenKind::kName) {
-      reader().fail(scan_cell_common::excerpt(word), "a statement should stand there");
+      reader().fail(scan_cell_common::excerpt(word), "expected a statement");
     } else if (word == "def" || word == "thread" || word == "sec") {
       reader().go_to(script_.end_of(file_, begin) + 1);
     } else if (word == "while" || word == "if" || word == "switch") {
@@ -195,7 +195,7 @@ class Run {
   void check_no_motion(const TokenRange& range) {
     if (script_.moves(range))
       script_.fail(script_.place(range.file, range.begin), "a motion within another statement",
-                   "give it a line of its own");
+                   "give it its own line");
     check_calls(range);
   }
 
@@ -270,7 +270,7 @@ class Run {
   Flow follow(const ScriptFunction& function, const ScriptArguments& arguments, const Place& place,
               const TokenRange& caller) {
     if (!running_.insert(&function).second)
-      script_.fail(place, function.name + " calls itself", "give a program without circles");
+      script_.fail(place, function.name + " calls itself", "give a program without recursion");
     const std::size_t back = reader().position();
     const bool is_main = depth_ == 1 && function.parameters.empty();
     ScriptVariables::Locals locals;

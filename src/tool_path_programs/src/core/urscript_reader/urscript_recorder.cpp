@@ -48,7 +48,7 @@ bool ScriptRecorder::record(const std::string& function, const ScriptArguments& 
   } else if (function == "set_tcp") {
     set_tool(arguments);
   } else if (is_urscript_function_with_motion(function)) {
-    fail(function + " moves to no pose", "give a program of movej, movel, movep and movec");
+    fail(function + " does not move to a pose", "give a program of movej, movel, movep and movec");
   } else {
     return output(function, arguments);
   }

@@ -16,11 +16,11 @@ PathReading PathReadingOptions::typed() const {
 void add_reading_options(CLI::App& app, PathReadingOptions& options) {
   add_path_options(app, options.conventions);
   app.add_option("--program-files", options.reading.program_files,
-                 "files that a program as path calls");
+                 "files that the program calls, if the path is a program");
   app.add_option("--no-motion", options.no_motion, "routines that do not move the robot");
-  app.add_option("--dialect", options.reading.dialect, "of the program");
+  app.add_option("--dialect", options.reading.dialect, "dialect of the program");
   app.add_flag("--program-in-base", options.reading.program_in_base,
-               "the path is in the robot's base");
+               "the path is in the robot's base frame");
 }
 
 }  // namespace part_recipes

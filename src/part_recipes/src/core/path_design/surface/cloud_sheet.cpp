@@ -169,7 +169,7 @@ PartMesh sheet_of(const tool_path_stretcher::Surface& cloud, const Vector3d& tow
   const SmoothedCloud smooth = smoothed(cloud, towards);
   PartMesh mesh = without_crumbs(Sheet(smooth, Picture(towards), cloud.spacing).mesh());
   if (!mesh.triangles.empty()) return mesh;
-  throw scan_cell_common::UnusableInput(name, "no surface of it faces the viewer",
+  throw scan_cell_common::UnusableInput(name, "none of its surface faces the viewer",
                                         "give the side to work on by --from");
 }
 

@@ -68,7 +68,7 @@ PartMesh seen_part(const PartMesh& mesh, const Vector3d& towards) {
     if (mesh.facets[t].dot(towards) > kGrazing && !is_hidden(search, t, towards)) seen.push_back(t);
   }
   if (!seen.empty()) return part_of(mesh, seen);
-  throw scan_cell_common::UnusableInput("reference", "no surface of it faces the viewer",
+  throw scan_cell_common::UnusableInput("reference", "none of its surface faces the viewer",
                                         "give the side to work on by --from");
 }
 

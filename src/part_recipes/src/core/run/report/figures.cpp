@@ -75,7 +75,7 @@ void tell_cleaned_away(const std::filesystem::path& report, const std::vector<st
     record.message += fmt::format(
         "; at {} of the {} waypoints the raw scan has points that the clean cloud does not have, "
         "of the part or of what is beneath it: look at the cleaning (page 2 of the seat) before "
-        "you scan anew",
+        "you scan again",
         taken.size(), all.at("waypoints_concerned").size());
     all["message"] = record.message;
     all["cleaned_away"] = taken;

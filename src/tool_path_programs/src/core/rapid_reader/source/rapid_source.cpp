@@ -113,7 +113,7 @@ void RapidSource::read_module(TokenReader& reader, std::size_t file) {
     } else {
       reader.fail(reader.at_end() ? "the file ends within a module"
                                   : scan_cell_common::excerpt(reader.peek().text),
-                  "a declaration or a routine should stand there");
+                  "expected a declaration or a routine");
     }
   }
 }
@@ -163,7 +163,7 @@ void RapidSource::read_routine(TokenReader& reader, std::size_t file, RapidRouti
   const std::string key = lower_case(routine.name);
   if (!modules_.back().routines.emplace(key, &routine).second ||
       (!local && !global_routines_.emplace(key, routine.module).second))
-    reader.fail(routine.name + " is there twice", "give each module once");
+    reader.fail(routine.name + " appears twice", "give each module once");
   reader.next();
 }
 
@@ -204,8 +204,8 @@ const RapidRoutine& RapidSource::first_routine() const {
   if (called_like_file) return *called_like_file;
   if (count == 1) return *only;
   throw scan_cell_common::UnusableInput(
-      file, count == 0 ? "no PROC" : "nothing says where to begin: " + names,
-      "let it have a routine main, or one that is called like the file");
+      file, count == 0 ? "no PROC" : "it does not say where to begin: " + names,
+      "give it a routine main, or one with the name of the file");
 }
 
 }  // namespace tool_path_programs
