@@ -56,7 +56,7 @@ std::string RosRobot::unseen() const {
   const double age = transform_.age();
   if (age <= parameters_.unseen_after) return "";
   return fmt::format(
-      "robot: no pose for {:g} s in mid motion; check the controller, its cable and its driver",
+      "robot: no pose for {:g} s during a motion; check the controller, its cable and its driver",
       age);
 }
 
