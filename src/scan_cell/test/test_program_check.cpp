@@ -66,8 +66,7 @@ TEST_F(ProgramCheck, AsksForJustTheMotionsThatAreMadeLater) {
 TEST_F(ProgramCheck, NamesThePassAndThePlaceThatTheRobotCannotGoBeforeAnythingMoves) {
   const std::string where =
       ": the robot cannot follow it at 1.000 2.000 3.000 m in its base frame; line: passes a "
-      "singular "
-      "posture";
+      "singular posture";
   EXPECT_EQ(refusal_of(0), "pass 1 (flank), the way to its start" + where);
   EXPECT_EQ(refusal_of(2), "pass 1 (flank), its line" + where);
   EXPECT_EQ(refusal_of(3), "pass 2, its arc" + where);

@@ -197,7 +197,7 @@ RobotState Client::current() const {
 RobotState Client::standing() const {
   const RobotState state = current();
   if (state.status == MotionStatus::kMoving) {
-    throw Refused("motion", "the robot is moving", "wait until it stands");
+    throw Refused("motion", "the robot is moving", "wait until it stands still");
   }
   return state;
 }
@@ -257,7 +257,7 @@ MeasuredState Client::static_pose() {
   const auto state = latest();
   if (!state) throw ConnectionError(name(), "sent no pose", kCheckLink);
   if (state->robot.status == MotionStatus::kMoving) {
-    throw Refused("static pose", "the robot is moving", "wait until it stands, or stop it");
+    throw Refused("static pose", "the robot is moving", "wait until it stands still, or stop it");
   }
   return *state;
 }

@@ -44,9 +44,9 @@ void describe(scan_cell_common::ParameterTable& table, VideeParameters& paramete
                 "scan program (YAML): its frame is used, and the speed, rate, laser and camera of "
                 "its first pass");
   table.add("image_folder", parameters.image_folder,
-            "where `GRAB_IMAGE` leaves its pictures; must exist");
+            "folder in which `GRAB_IMAGE` saves its images; must exist");
   table.add("cloud_folder", parameters.cloud_folder,
-            "where `STOP_SCAN` leaves its clouds; must exist");
+            "folder in which `STOP_SCAN` saves its clouds; must exist");
   for (const auto& [name, folder] : {std::pair("image_folder", parameters.image_folder),
                                      std::pair("cloud_folder", parameters.cloud_folder)}) {
     if (!std::filesystem::is_directory(folder))
@@ -60,8 +60,9 @@ void describe(scan_cell_common::ParameterTable& table, VideeParameters& paramete
   table.add("triangulation", parameters.triangulation,
             "node on whose machine the files of large clouds lie");
   table.group("calibration", parameters.calibration);
-  table.add("call_timeout", parameters.call_timeout, {0.1, 60, "s"},
-            "longest wait for an action to take a goal; `GRAB_IMAGE` may take four times as long");
+  table.add(
+      "call_timeout", parameters.call_timeout, {0.1, 60, "s"},
+      "longest wait for an action to accept a goal; `GRAB_IMAGE` may take four times as long");
 }
 
 }  // namespace scan_cell
