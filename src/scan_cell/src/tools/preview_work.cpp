@@ -44,7 +44,7 @@ int preview(const scan_cell::WorkOptions& options) {
 int main(int argc, char** argv) {
   scan_cell::WorkOptions options;
   CLI::App app(
-      "Says where the robot cannot follow an adapted path, and shows the way in rviz. Nothing "
+      "Says where the robot cannot follow an adapted path, and shows the path in rviz. Nothing "
       "moves.\n"
       "Exit code 0: it can follow it; 2: it cannot; 1: not known, for example without a cell.");
   scan_cell::add_options(app, options);

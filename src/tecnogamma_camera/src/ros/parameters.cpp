@@ -66,9 +66,9 @@ void describe_payload(ParameterTable& table, PayloadOptions& payload) {
   table.add("payload_tick", payload.tecnogamma.tick, {0, 1, "s"},
             "of the time counter in relief frames; 0: not known, so the transport's time is used");
   table.add("scan_first_row", payload.photonfocus.scan_first_row, {-1, 65535, "px"},
-            "Peak0_3DY of a 3D03; -1: the camera is asked");
+            "Peak0_3DY of a 3D03; -1: read from the camera");
   table.add("scan_rows", payload.photonfocus.scan_rows, {-1, 1024, "px"},
-            "Peak0_3DH of a 3D03; -1: the camera is asked");
+            "Peak0_3DH of a 3D03; -1: read from the camera");
   table.add("scan_with_image", payload.photonfocus.with_image,
             "the 3D03 is in its mode 2D&3D, not in 3Donly");
   payload.tecnogamma.check();
@@ -102,7 +102,7 @@ void describe_acquisition(ParameterTable& table, AcquisitionParameters& acquisit
 
 void describe(ParameterTable& table, Parameters& parameters) {
   table.add("camera", parameters.camera,
-            "id, serial number or address (an IP address is asked directly, without a search); "
+            "id, serial number or address (an IP address is contacted directly, without a search); "
             "`folder:PATH` or `bag:PATH`: a recording; none: the only camera that answers");
   table.add("frame_id", parameters.frame_id, "of images and profiles");
   table.add("scanner_model", parameters.scanner_model,

@@ -281,7 +281,7 @@ void FrameMatcher::refuse(FrameRecord& record, bool disputed) {
   }
   if (disputed) {
     drop_next_ = margin_;
-    drop_unconfirmed("next to a frame that does not agree, where the counter slipped");
+    drop_unconfirmed("next to a frame that does not agree: the counter slipped");
   }
   std::string detail = fmt::format("its stamp gives pulse {}", pulses_[*place.pulse].count);
   detail += offset_ ? fmt::format(", its counter pulse {}",

@@ -20,9 +20,10 @@ double Parameters::silence_allowed(double rate) const {
 namespace {
 
 void describe_names(ParameterTable& table, Parameters& p) {
-  table.add("base_frame", p.base_frame,
-            "frame the robot's driver takes targets in; goals in other frames are transformed by "
-            "tf");
+  table.add(
+      "base_frame", p.base_frame,
+      "frame in which the robot's driver expects targets; goals in other frames are transformed by "
+      "tf");
   table.add("flange_frame", p.flange_frame, "frame that the robot's driver publishes on `/tf`");
   table.add(
       "robot", p.robot,
