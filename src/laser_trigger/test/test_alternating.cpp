@@ -173,8 +173,8 @@ TEST_F(Alternating, RefusesWhatMakesNoSenseByNameAndSwitchesNothingOn) {
     return "";
   };
   EXPECT_EQ(refusal(alternating(251)),
-            "rate: 251 Hz to alternate; give up to 250 Hz: the exposure of 3 ms and the 1 ms in "
-            "which a laser comes up must fit between two pulses");
+            "rate: 251 Hz to alternate; give up to 250 Hz: the exposure of 3 ms and the laser's "
+            "rise time of 1 ms must fit between two pulses");
   for (const std::uint8_t lasers : {0, 1, 2})
     EXPECT_NE(refusal({100, lasers, 0, true, true}).find("to alternate"), std::string::npos);
   EXPECT_NE(refusal({0, kBothLasers, 0, false, true}).find("without pulses"), std::string::npos);

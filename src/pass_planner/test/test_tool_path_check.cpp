@@ -173,7 +173,7 @@ TEST_F(CheckPathTool, SaysYesAndNoByItsExitCode) {
 TEST_F(CheckPathTool, TurnsTheBracketRoundAPost) {
   const std::string post = "--shapes " + file("shapes.yaml") + " --part " + file("post.csv");
   EXPECT_EQ(run(post), 2) << said();
-  EXPECT_NE(said().find("bracket and part: run into each other"), std::string::npos) << said();
+  EXPECT_NE(said().find("bracket and part: collide"), std::string::npos) << said();
   EXPECT_EQ(run(post + " --free-about-z --turned-path " + file("turned.csv")), 0) << said();
   const auto turned = tool_paths::load_tool_path(file("turned.csv"));
   double most = 0;

@@ -216,7 +216,7 @@ TEST(ConstantSpeed, RefusesAnArmingThatIsNoLine) {
     binder.start_run({3, std::nullopt});
     ADD_FAILURE() << "taken";
   } catch (const Refused& refusal) {
-    EXPECT_EQ(std::string(refusal.what()).find("pass 4: an arc or a poly-line"), 0U);
+    EXPECT_EQ(std::string(refusal.what()).find("pass 4: an arc or a polyline"), 0U);
   }
   EXPECT_NO_THROW(check(pose_frame_binder::Run{0, std::nullopt}, motion()))
       << "the settings give the motion";

@@ -62,7 +62,7 @@ TEST_F(CameraOfPasses, AreRefusedByTheNameOfThePassBeforeAnythingMoves) {
   cell_.refused_at = "start camera";
   const scan_cell::SequenceEnd end = run();
   EXPECT_EQ(end.outcome, Outcome::kRefused);
-  EXPECT_EQ(end.message.find("pass 2: camera: cannot be set so; start camera: refused"), 0U)
+  EXPECT_EQ(end.message.find("pass 2: camera: settings refused; start camera: refused"), 0U)
       << end.message;
   EXPECT_EQ(cell_.moves, 0);
   EXPECT_TRUE(cell_.noted("restore camera"));
@@ -74,7 +74,7 @@ TEST_F(CameraOfPasses, AreRefusedWhereTheyLeaveLasersNoTimeToTakeTurnsBeforeAnyt
   const scan_cell::SequenceEnd end = run();
   EXPECT_EQ(end.outcome, Outcome::kRefused);
   EXPECT_EQ(end.message,
-            "pass 2: trigger: cannot be armed so; rate: 100 Hz to alternate; expose for less");
+            "pass 2: trigger: arming refused; rate: 100 Hz to alternate; expose for less");
   EXPECT_EQ(cell_.moves, 0);
   EXPECT_FALSE(cell_.noted("start stages"));
   EXPECT_TRUE(cell_.noted("restore camera"));

@@ -65,8 +65,8 @@ TEST_F(ProgramCheck, AsksForJustTheMotionsThatAreMadeLater) {
 
 TEST_F(ProgramCheck, NamesThePassAndThePlaceThatTheRobotCannotGoBeforeAnythingMoves) {
   const std::string where =
-      ": the robot cannot go it at 1.000 2.000 3.000 m of its base; line: passes a singular "
-      "posture";
+      ": the robot cannot follow it at 1.000 2.000 3.000 m in its base frame; line: passes a "
+      "singular posture";
   EXPECT_EQ(refusal_of(0), "pass 1 (flank), the way to its start" + where);
   EXPECT_EQ(refusal_of(2), "pass 1 (flank), its line" + where);
   EXPECT_EQ(refusal_of(3), "pass 2, its arc" + where);
@@ -125,7 +125,7 @@ TEST_F(ProgramCheck, RefusesAnExposureOfItsOwnThatLeavesLasersNoTimeAlsoWhereNot
     FAIL() << "it was not refused";
   } catch (const scan_cell::EndEarly& end) {
     EXPECT_EQ(end.outcome, Outcome::kRefused);
-    EXPECT_EQ(end.message.find("pass 2: trigger: cannot be armed so"), 0U) << end.message;
+    EXPECT_EQ(end.message.find("pass 2: trigger: arming refused"), 0U) << end.message;
   }
 }
 

@@ -148,7 +148,7 @@ TEST_F(ScanSequence, SaysWhatFailedBesides) {
   cell_.throws_at = "bind";
   const scan_cell::SequenceEnd end = run();
   EXPECT_EQ(end.outcome, Outcome::kMotionFailed);
-  EXPECT_EQ(end.message, "collision; besides: bind: gone; look for it");
+  EXPECT_EQ(end.message, "collision; in addition: bind: gone; look for it");
 }
 
 TEST_F(ScanSequence, IsNotFinishedWhereTheCameraWasLostAtTheVeryEnd) {

@@ -86,7 +86,7 @@ bool paths(const std::shared_ptr<const RobotModel>& robot, int number) {
   tell_reasons(trial.reasons);
   count("begun twice or more", trial.twice, "goal 0");
   count("out of order", trial.out_of_order, "goal 0");
-  count("told otherwise than it was", trial.in_secret, "goal 0");
+  count("reported otherwise than it was", trial.in_secret, "goal 0");
   tell_reasons(trial.faults);
   return trial.followed > 0 && trial.twice + trial.out_of_order + trial.in_secret == 0;
 }

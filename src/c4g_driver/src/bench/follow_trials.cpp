@@ -148,7 +148,7 @@ class Trials {
     if (begun > 1 || !truth.in_order() || wrong || !truth.is_off())
       trial_.faults.push_back(
           fmt::format("{} waypoints, begun {} times, {}: {}", motion.waypoints.size(), begun,
-                      reached ? "told as followed" : "not told as followed", truth.text()));
+                      reached ? "reported as followed" : "not reported as followed", truth.text()));
     if (reached) trial_.waypoints += motion.waypoints.size();
   }
 

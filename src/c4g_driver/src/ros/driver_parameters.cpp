@@ -29,22 +29,23 @@ std::string robot_description(const ros::NodeHandle& node) {
 void describe(ParameterTable& table, ClientOptions& client) {
   table.require("address", client.address, "IPv4 of the controller");
   table.add("local_address", client.local_address,
-            "IPv4 of this machine's card that the controller is on: the driver listens there only "
-            "([network.md](network.md)); 0.0.0.0: on all");
+            "IPv4 of this machine's network card that leads to the controller: the driver listens "
+            "only there ([network.md](network.md)); 0.0.0.0: on all cards");
   table.add("port", client.port, {1, 65535}, "UDP port of the controller");
   table.add("link_timeout", client.link_timeout, {0.05, 5, "s"},
-            "no answer, or no fresh pose, for this long is a lost link");
+            "the link is lost after this long without an answer or a fresh pose");
   table.add("tries", client.tries, {1, 100}, "how often a request is sent within `link_timeout`");
   table.add("poll_period", client.poll_period, {0.01, 0.5, "s"},
             "between requests for the pose; they keep the session alive");
   table.add(
       "follow_watch", client.follow_watch, {0.02, 1, "s"},
-      "of the driver's silence after which the controller ends a path of the tool: its outputs go "
-      "off and it brakes; requests come ten times as often then; 0.5 with `sim:=true`");
+      "the controller ends a tool path after this long without a request: its outputs go off and "
+      "the robot brakes; during a path, requests come ten times as often; 0.5 with `sim:=true`");
   table.add("reconnect_period", client.reconnect_period, {0.05, 60, "s"},
-            "between attempts to connect; it does not grow, and the first follows a loss at once");
+            "between attempts to connect; it does not grow, and the first attempt follows a loss "
+            "at once");
   table.add("clock_window", client.clock_window, {0.1, 600, "s"},
-            "over which the least delay of the wire is sought");
+            "period over which the least delay of the wire is determined");
   table.add("realtime_priority", client.realtime_priority, {0, 99},
             "SCHED_FIFO priority of the receiving thread, which also publishes; 0: the usual "
             "scheduling. Set one on a host with other work (rights: rtprio in "
@@ -61,16 +62,16 @@ void describe(ParameterTable& table, ClientOptions& client) {
 void describe(ParameterTable& table, DriverParameters& parameters) {
   describe(table, parameters.client);
   table.add("base_frame", parameters.base_frame,
-            "of the poses; also the URDF's link that the chain begins with");
+            "frame of the poses; also the link of the URDF with which the chain begins");
   table.add("flange_frame", parameters.flange_frame, "published on `/tf`");
   table.add("flange_link", parameters.flange_link,
-            "the URDF's link where `flange_frame` is measured");
+            "link of the URDF at which `flange_frame` is measured");
   table.add("feedback_rate", parameters.feedback_rate, {1, 1000, "Hz"}, "of the move action");
   table.add("status_rate", parameters.status_rate, {1, 1000, "Hz"}, "of `~status`");
   table.add("jog_silence", parameters.jog_silence, {0.05, 1, "s"},
-            "without a `~jog` after which the robot stops");
+            "the robot stops after this long without a `~jog`");
   table.add("max_jog_override", parameters.max_jog_override, {0.1, 100, "%"},
-            "of the programmed speed, that a `~jog` may ask for");
+            "of the programmed speed; highest that a `~jog` may request");
 }
 
 DriverParameters DriverParameters::load(const ros::NodeHandle& node) {

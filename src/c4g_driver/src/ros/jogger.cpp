@@ -28,7 +28,7 @@ Jog::Kind kind_of(const Message& message) {
       return Jog::Kind::kFlange;
     default:
       throw scan_cell_common::Refused("kind", fmt::format("{}", message.kind),
-                                      "give one of scan_cell_msgs/Jog");
+                                      "give a constant of scan_cell_msgs/Jog");
   }
 }
 

@@ -67,7 +67,7 @@ void add_connection(CLI::App& app, Options& options) {
   app.add_option("--address", options.client.address, "IPv4 address of the controller")->required();
   app.add_option("--port", options.client.port, "its UDP port")->capture_default_str();
   app.add_option("--local-address", options.client.local_address,
-                 "IPv4 address of this machine's card that it is on")
+                 "IPv4 address of this machine's network card that leads to it")
       ->capture_default_str();
   app.add_option("--timeout", options.patience, "[s] to wait for the connection")
       ->capture_default_str();
@@ -115,9 +115,11 @@ std::vector<Command> add_motions(CLI::App& app, Words& words) {
   circular->add_option("pose", words.target, "x y z [mm] A E R [deg] at the end")->required();
   CLI::App* const joint = move->add_subcommand("joint", "All axes together");
   joint->add_option("joints", words.target, "J1 .. J6 [deg]")->required();
-  move->add_option("--camera-rate", words.camera_rate, "[Hz] that the controller keeps beside it")
+  move->add_option("--camera-rate", words.camera_rate,
+                   "[Hz] that the controller keeps during the motion")
       ->capture_default_str();
-  CLI::App* const stop = app.add_subcommand("stop", "Stops the robot, and waits until it stands");
+  CLI::App* const stop =
+      app.add_subcommand("stop", "Stops the robot, and waits until it stands still");
   return {{cartesian,
            [&words](Client& client) { move_to_pose(client, words.target, words.camera_rate); }},
           {circular,
@@ -130,15 +132,17 @@ std::vector<Command> add_motions(CLI::App& app, Words& words) {
 }
 
 std::vector<Command> add_questions(CLI::App& app, Words& words) {
-  CLI::App* const status = app.add_subcommand("status", "Where the robot is, and how it is");
+  CLI::App* const status =
+      app.add_subcommand("status", "Shows where the robot is, and its condition");
   CLI::App* const drives = app.add_subcommand("drives", "Switches the drives on or off");
   drives->add_option("state", words.drives, "on or off")
       ->required()
       ->check(CLI::IsMember({"on", "off"}));
-  CLI::App* const alarms = app.add_subcommand("alarms", "Lists the alarms that stand");
+  CLI::App* const alarms = app.add_subcommand("alarms", "Lists the pending alarms");
   alarms->add_flag("--reset", words.reset, "resets them first");
   CLI::App* const read = app.add_subcommand("read", "Shows a parameter of the controller");
-  CLI::App* const write = app.add_subcommand("write", "Sets one, and shows it");
+  CLI::App* const write =
+      app.add_subcommand("write", "Sets a parameter of the controller, and shows it");
   for (CLI::App* command : {read, write})
     command->add_option("name", words.name, "such as motion_type; c4g_protocol.md lists them")
         ->required();

@@ -108,7 +108,7 @@ TEST_F(ClientTest, SendsNothingOfAnArcThatIsNoneAndNamesThePoint) {
       {via, via, "via: 0 m from the target"},
       {looking_down(0.8, 0, 0.6), end, "via: 0 m from where the robot stands"},
       {via, looking_down(0.8, 0, 0.6), "target: 0 m from where the robot stands"},
-      {looking_down(0.8, 0.1, 0.6), end, "via: in line with start and target"},
+      {looking_down(0.8, 0.1, 0.6), end, "via: only "},
       {looking_down(1.3, 0.1, 1.5), end, "via: out of reach"}};
   for (const auto& [on_the_way, target, reason] : bad) {
     try {

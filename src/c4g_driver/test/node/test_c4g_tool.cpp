@@ -172,7 +172,7 @@ TEST_F(C4gTool, RefusesWhatTheDriverRefusesBeforeAnythingIsSent) {
   expect_refusal("move cartesian 800 0 nan 0 180 180", "target z: nan m");
   expect_refusal("move cartesian 800 0 610 400 180 180", "target A: 400");
   expect_refusal("move cartesian 800 0 610 0 190 180", "target E: 190");
-  expect_refusal("move circular 800 50 600 0 180 180 800 100 600 0 180 180", "via: in line with");
+  expect_refusal("move circular 800 50 600 0 180 180 800 100 600 0 180 180", "via: only ");
   expect_refusal("move circular 850 50 600 0 190 180 800 100 600 0 180 180", "via E: 190 deg");
   expect_refusal("move circular 850 50 600 0 180 180 800 100 600 0 190 180", "target E: 190 deg");
   expect_refusal("move joint 0 8 5 0 48 0", "target J3");

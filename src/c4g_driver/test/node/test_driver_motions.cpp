@@ -168,7 +168,7 @@ TEST_F(Driver, RefusesBadTargetsWithTheReasonAndMovesNothing) {
       {no_via_rotation, "via orientation"},
       {along_arc(looking_down(0.85, nan, 0.6), end), "via y: nan"},
       {along_arc(end, end), "via: 0 m from the target"},
-      {along_arc(looking_down(0.8, 0.05, 0.6), end), "via: in line with"},
+      {along_arc(looking_down(0.8, 0.05, 0.6), end), "via: only "},
       {along_arc(via, looking_down(0.8, 9, 0.6)), "target y"},
       {to_pose(looking_down(nan, 0, 0.6)), "target x"},
       {to_pose(looking_down(0.8, 9, 0.6)), "target y"},

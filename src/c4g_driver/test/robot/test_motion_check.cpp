@@ -83,7 +83,7 @@ TEST_F(MotionCheckTest, NamesTheJointThatALineAsksTooMuchSpeedOf) {
   settings_.rotational_speed = 12;
   const std::string said = refusal_of_pose(rolled);
   expect_says(said, "speed of J6: 12 rad/s at ");
-  expect_says(said, "the limit is 9.59931 rad/s: set the override up to 79.99");
+  expect_says(said, "the limit is 9.59931 rad/s: set the override to 79.99");
   settings_.override = 79;
   EXPECT_NEAR(check().to_pose(rolled).max_override, 100 * smart5_six().speed()[5] / 12, 1e-6);
 }
@@ -93,7 +93,7 @@ TEST_F(MotionCheckTest, RefusesALineWhileAFasterSpeedIsSetThanTheCellAllows) {
   EXPECT_EQ(refusal_of_pose(looking_down(0.8, 0.2, 0.6)), "");
   limits_.operation = c4g_driver::Operation::kManual;
   const std::string said = refusal_of_pose(looking_down(0.8, 0.2, 0.6));
-  expect_says(said, "linear speed set on the controller: 0.3 m/s; set one up to 0.25 m/s first: ");
+  expect_says(said, "linear speed set on the controller: 0.3 m/s; first set 0.25 m/s or less: ");
   expect_says(said, "operation is manual");
   limits_.operation = c4g_driver::Operation::kAutomatic;
   from_.mode = c4g_driver::ControllerMode::kProgramming;

@@ -66,14 +66,14 @@ TEST(CellShapes, NameTheEntryThatMakesNoSense) {
   expect_complaint("shapes: [{name: a, frame: flange, box: [1, -1, 1]}]", "box: -1 m");
   expect_complaint("shapes: [{name: a, frame: flange, radius: 1}]", "radius");
   expect_complaint("shapes: [{name: '', frame: flange, sphere: 1}]", "name: empty");
-  expect_complaint("shapes: [{name: part, frame: flange, sphere: 1}]", "'part' again");
+  expect_complaint("shapes: [{name: part, frame: flange, sphere: 1}]", "'part' is already used");
   expect_complaint("shapes: [{name: a, frame: base_link, half_space: [0, 0, 0]}]", "no direction");
   expect_complaint("shapes: [{name: a, frame: base_link, half_space: [0, 0, 1e308]}]",
                    "no direction");
   expect_complaint("shapes: [{name: a, frame: base_link, half_space: [0, 0, 1e-320]}]",
                    "no direction");
   expect_complaint("shapes: [{name: a, frame: flange, half_space: [0, 0, 1]}]",
-                   "a half-space stands in base_link");
+                   "give base_link: a half-space cannot move");
   expect_complaint("links: [{link: link_1, radius: -1}]", "radius: -1 m");
   expect_complaint("may_touch: [[a, part]]", "'a'");
   expect_complaint("may_touch: [[part]]", "1 names");

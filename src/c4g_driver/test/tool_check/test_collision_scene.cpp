@@ -182,7 +182,7 @@ TEST_F(CollisionTest, IsNamedWithItsWaypoint) {
   EXPECT_EQ(found.faults.back().waypoint, 40u);
   EXPECT_EQ(found.faults.front().kind, ToolFault::Kind::kCollision);
   EXPECT_GE(found.faults.front().waypoint, 30u);
-  expect_within(found.faults[1].what(), "ball and clamp: run into each other by 0.0");
+  expect_within(found.faults[1].what(), "ball and clamp: collide by 0.0");
 }
 
 }  // namespace

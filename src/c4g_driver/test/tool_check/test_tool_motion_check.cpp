@@ -91,7 +91,7 @@ TEST_F(ToolCheckTest, NamesTheWaypointAndTheJointThatLeavesItsRange) {
     EXPECT_EQ(found.faults[i].joint, 5);
   }
   expect_within(found.refusal(), "waypoint 12, J6: ");
-  expect_within(found.refusal(), "0.1 rad are kept free");
+  expect_within(found.refusal(), "0.1 rad kept free");
   EXPECT_NEAR(found.margins[5].margin, 1.25 - 2.0, 1e-6);
   EXPECT_EQ(found.margins[5].waypoint, 20u);
   // J1 is at 0, except for the sagitta of the tip's lines, 0.02 m from J6's axis
@@ -260,7 +260,7 @@ TEST_F(ToolCheckTest, NamesATurnThatHasTwoWaysRound) {
   ASSERT_FALSE(found.possible());
   EXPECT_EQ(found.faults.front().kind, Kind::kHalfTurn);
   EXPECT_EQ(found.faults.front().waypoint, 2u);
-  expect_within(found.refusal(), "which way round is open");
+  expect_within(found.refusal(), "the direction of the turn is ambiguous");
 }
 
 TEST_F(ToolCheckTest, TakesThePostureInWhichThePathCanBeFollowed) {

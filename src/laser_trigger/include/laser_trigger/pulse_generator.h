@@ -66,7 +66,7 @@ class PulseGenerator {
     double pulse_width = 200e-6;      //!< [s] how long the camera's line is high
     double max_rate = 1000;           //!< [Hz]
     double keep_alive_timeout = 0.5;  //!< [s]
-    double longest_on = 300;          //!< [s] the longest an arming lasts, whatever was asked for
+    double longest_on = 300;          //!< [s] longest time an arming lasts, whatever was requested
     int realtime_priority = 50;       //!< SCHED_FIFO, where permitted; 0: never
     /// [s] after a pulse during which alternating lasers do not change, if an arming gives no
     /// exposure

@@ -17,16 +17,16 @@ constexpr std::uint8_t kBoth = 3;  // mask
 void check_lasers(const PulseGenerator::Arming& arming) {
   if ((arming.lasers & ~kBoth) != 0) {
     throw Refused("lasers", fmt::format("mask {}", arming.lasers),
-                  "bit 0 is laser_0, bit 1 is laser_1, there are no others");
+                  "set only bit 0 (laser_0) and bit 1 (laser_1)");
   }
   if (!arming.alternate) return;
   if (arming.lasers != kBoth) {
     throw Refused("lasers", fmt::format("mask {} to alternate", arming.lasers),
-                  "give both, mask 3: they take turns");
+                  "give mask 3: both lasers take turns");
   }
   if (!arming.pulses) {
     throw Refused("alternate", "without pulses",
-                  "the lasers take turns with the pulses: give a rate");
+                  "give a rate: the lasers take turns pulse by pulse");
   }
 }
 
@@ -43,12 +43,11 @@ void check_rate(const PulseGenerator::Arming& arming, const PulseGenerator::Sett
   const double turn = std::max(exposure, settings.laser_rise) + settings.laser_rise;
   if (arming.alternate && arming.rate * turn > 1) {
     constexpr double kMilliseconds = 1e3;
-    throw Refused(
-        "rate", fmt::format("{:g} Hz to alternate", arming.rate),
-        fmt::format("give up to {:g} Hz: the exposure of {:g} ms and the {:g} ms in which a laser "
-                    "comes up must fit between two pulses",
-                    std::floor(1 / turn), exposure * kMilliseconds,
-                    settings.laser_rise * kMilliseconds));
+    throw Refused("rate", fmt::format("{:g} Hz to alternate", arming.rate),
+                  fmt::format("give up to {:g} Hz: the exposure of {:g} ms and the laser's rise "
+                              "time of {:g} ms must fit between two pulses",
+                              std::floor(1 / turn), exposure * kMilliseconds,
+                              settings.laser_rise * kMilliseconds));
   }
 }
 
@@ -57,13 +56,13 @@ void check_rate(const PulseGenerator::Arming& arming, const PulseGenerator::Sett
 void check(const PulseGenerator::Arming& arming, const PulseGenerator::Settings& settings) {
   if (!std::isfinite(arming.exposure) || arming.exposure < 0) {
     throw Refused("exposure", fmt::format("{:g} s", arming.exposure),
-                  "give that of the camera, or 0 for the trigger's own parameter");
+                  "give the camera's exposure, or 0 to use the trigger's parameter exposure");
   }
   if (arming.pulses) check_rate(arming, settings);
   check_lasers(arming);
   if (!std::isfinite(arming.longest_on) || arming.longest_on < 0) {
     throw Refused("longest_on", fmt::format("{:g} s", arming.longest_on),
-                  "give 0 for the trigger's own limit, or more");
+                  "give a time above 0, or 0 to use the trigger's own limit");
   }
 }
 

@@ -174,7 +174,7 @@ void Guardian::watch(const PortAddress& address, double hang_timeout) {
   }
   if (answer.error[0] != 0) {
     throw scan_cell_common::ConnectionError("guardian process", answer.error,
-                                            "see the reason before this");
+                                            "see the reason given here");
   }
 }
 

@@ -31,9 +31,9 @@ void describe(scan_cell_common::ParameterTable& table, PortAddress& address) {
   std::uint16_t port = address.port;
   table.choice("port", kind, {"parallel", "loopback"},
                "parallel: a PC's parallel port; loopback: the simulator");
-  table.add("device", device, "of `port: parallel`");
-  table.add("loopback_host", host, "of `port: loopback`: IPv4 address");
-  table.add("loopback_port", port, {1, 65535}, "of `port: loopback`: UDP port");
+  table.add("device", device, "device, for `port: parallel`");
+  table.add("loopback_host", host, "IPv4 address, for `port: loopback`");
+  table.add("loopback_port", port, {1, 65535}, "UDP port, for `port: loopback`");
   address = kind == PortAddress::Kind::kParallel ? PortAddress::parallel(device)
                                                  : PortAddress::loopback(host, port);
 }

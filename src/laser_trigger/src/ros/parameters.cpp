@@ -11,24 +11,24 @@ void describe(scan_cell_common::ParameterTable& table, Parameters& parameters) {
   PulseGenerator::Settings& pulses = parameters.pulses;
   table.add("pulse_width", pulses.pulse_width, {1e-5, 0.05, "s"},
             "how long the camera's line is high; limits the rate to half of its inverse");
-  table.add("max_rate", pulses.max_rate, {0.1, 10000, "Hz"}, "of the pulses");
+  table.add("max_rate", pulses.max_rate, {0.1, 10000, "Hz"}, "highest pulse rate");
   table.renamed("most_rate", "max_rate");
   table.add("keep_alive_timeout", pulses.keep_alive_timeout, {0.05, 5, "s"},
-            "without `~keep_alive`, after which the lasers go off");
+            "the lasers go off when `~keep_alive` has been silent for this long");
   table.add("longest_on", pulses.longest_on, {0.1, 3600, "s"},
-            "the longest an arming lasts, whatever was asked for");
+            "longest time an arming lasts, whatever was requested");
   table.add("realtime_priority", pulses.realtime_priority, {0, 99},
-            "SCHED_FIFO priority of the pulse thread where the rights allow it, else it says so at "
-            "its start and in the diagnostics; 0: never");
+            "SCHED_FIFO priority of the pulse thread, if the rights allow it; if they do not, the "
+            "node says so at its start and in the diagnostics; 0: never");
   table.add("exposure", pulses.exposure, {1e-5, 1, "s"},
-            "where the lasers alternate they stay as they are for so long after a pulse, where the "
-            "client does not tell the camera's exposure: at least that, with its delay");
+            "alternating lasers do not switch for this long after a pulse, if the client does not "
+            "give the camera's exposure; set it to at least that exposure plus its delay");
   table.add("exposure_delay", pulses.exposure_delay, {0, 0.1, "s"},
-            "of the camera's trigger input: added to an exposure that the client tells");
+            "of the camera's trigger input; added to an exposure that the client gives");
   table.add("laser_rise", pulses.laser_rise, {0, 0.1, "s"},
-            "where the lasers alternate each is on for so long before its pulse, to be steady");
+            "each alternating laser is on for this long before its pulse, to become steady");
   table.add("hang_timeout", parameters.hang_timeout, {0.5, 10, "s"},
-            "after which the guardian ends a node that hangs while armed");
+            "the guardian ends a node that has hung for this long while armed");
 }
 
 }  // namespace laser_trigger

@@ -15,8 +15,8 @@ using laser_trigger::Order;
 using laser_trigger::PortAddress;
 
 CLI::App* add_pulses(CLI::App& app, Order& order, std::vector<int>& lasers) {
-  CLI::App* const pulses =
-      app.add_subcommand("pulses", "Pulses the camera, for so many or so long");
+  CLI::App* const pulses = app.add_subcommand(
+      "pulses", "Pulses the camera a given number of times, or for a given time");
   pulses->add_option("--rate", order.rate, "[Hz] 0.1 .. 1000")
       ->check(CLI::PositiveNumber)
       ->required();
@@ -24,10 +24,10 @@ CLI::App* add_pulses(CLI::App& app, Order& order, std::vector<int>& lasers) {
   end->add_option("--count", order.pulses, "pulses")->check(CLI::PositiveNumber);
   end->add_option("--seconds", order.seconds, "[s] up to 300");
   end->require_option(1);
-  pulses->add_option("--laser", lasers, "0 or 1, or both: on meanwhile; without, none")
+  pulses->add_option("--laser", lasers, "0, 1 or both: on during the pulses; without: none")
       ->check(CLI::IsMember({0, 1}));
   pulses->add_flag("--alternate", order.alternate,
-                   "with both lasers: they take turns, pulse by pulse, laser_0 first");
+                   "both lasers take turns, pulse by pulse, laser_0 first");
   return pulses;
 }
 
@@ -65,8 +65,9 @@ int main(int argc, char** argv) {
   CLI::App* const pulses = add_pulses(app, order, lasers);
   CLI::App* const laser = add_laser(app, order, lasers);
   CLI::App* const watch = app.add_subcommand(
-      "watch", "Prints the pulses and the lasers as they come, in the place of the simulator");
-  watch->add_option("--seconds", watched, "[s] for so long; without: until Ctrl-C")
+      "watch",
+      "Takes the place of the simulator and prints each pulse and each switching of a laser");
+  watch->add_option("--seconds", watched, "[s] how long; without: until Ctrl-C")
       ->check(CLI::NonNegativeNumber);
   for (CLI::App* command : {pulses, laser, watch})
     command->fallthrough();

@@ -38,32 +38,34 @@ void describe(scan_cell_common::ParameterTable& table, Settings& settings) {
   const auto found = std::find(kMethods.begin(), kMethods.end(), method) - kMethods.begin();
   settings.method = static_cast<Method>(found + 1);
   table.add("max_pose_gap", settings.max_pose_gap, {1e-4, 10, "s"},
-            "between the poses around a pulse; of `first_pose`, from the pulse to its pose");
+            "longest time between the poses around a pulse; for `first_pose`, from the pulse to "
+            "its pose");
   table.renamed("most_pose_gap", "max_pose_gap");
   table.add("pose_settle", settings.pose_settle, {0, 1, "s"},
             "a pose further behind the newest is dropped as late; also how long a match waits for "
             "poses out of order");
   table.add("pose_delay", settings.pose_delay, {-1, 1, "s"},
-            "the poses are stamped too late by this, as estimate_time_offset finds it; it is taken "
-            "off each");
+            "how much too late the poses are stamped, as found by estimate_time_offset; subtracted "
+            "from each stamp");
   table.add("camera_latency", settings.camera_latency, {-0.1, 1, "s"},
             "expected time from a pulse to the stamp of its frame");
   table.add("latency_tolerance", settings.latency_tolerance, {1e-5, 1, "s"},
-            "at most; 0.45 of the pulse interval where that is less");
+            "largest deviation from the latency; 0.45 of the pulse interval if that is less");
   table.add("frames_to_agree", settings.frames_to_agree, {2, 32},
-            "frames that fix the counter's offset; one less are dropped on either side of a slip, "
-            "and wait before they are told");
+            "how many frames must agree on the counter's offset; one fewer are held back before "
+            "they are published, and dropped on either side of a slip");
   table.add("max_acceleration", settings.max_acceleration, {0.01, 1000, "m/s^2"},
             "of the flange, for the error bound");
   table.renamed("most_acceleration", "max_acceleration");
   table.add("max_speed", settings.max_speed, {0.001, 100, "m/s"},
             "of the flange, for the error bound");
   table.renamed("most_speed", "max_speed");
-  table.add("max_poses", settings.max_poses, {100, 1e9},
-            "poses of a scan in memory (170 bytes each; 2,000,000 are over an hour at 500 Hz)");
+  table.add(
+      "max_poses", settings.max_poses, {100, 1e9},
+      "most poses of a scan in memory (170 bytes each; 2,000,000 are over an hour at 500 Hz)");
   table.renamed("most_poses", "max_poses");
   table.add("max_pending_frames", settings.max_pending_frames, {10, 1e7},
-            "frames that wait for pulses or poses");
+            "most frames that may wait for pulses or poses");
   table.renamed("most_pending_frames", "max_pending_frames");
 }
 
@@ -100,8 +102,8 @@ void Binder::start_run(const Run& run) {
       !passes_.empty()) {
     throw scan_cell_common::Refused(
         "second arming of the trigger",
-        "the parameters constant_speed/* give the first one's motion alone",
-        "remove them: each line's own motion is told; or scan once along one line");
+        "the parameters constant_speed/* describe the motion of the first arming only",
+        "remove them (scan_cell gives the motion of each line), or scan once along one line");
   }
   rule_->start_run(run.motion);
   passes_.push_back(run.pass);

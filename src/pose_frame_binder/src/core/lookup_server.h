@@ -14,7 +14,7 @@ namespace pose_frame_binder {
 struct LookupLimits {
   int max_clients = 4;         //!< at a time; further ones get an error and are disconnected
   std::size_t max_bytes = 64;  //!< of a line
-  double idle_time = 60;       //!< [s] without a byte, after which a client is disconnected
+  double idle_time = 60;       //!< [s] a client that sends nothing for this long is disconnected
 };
 
 /// Answers lines over TCP: one line in, one line out. A line ends with LF, CR LF or a zero byte.

@@ -103,8 +103,7 @@ bool BinderServices::check_run(StartRun::Request& request, StartRun::Response& r
 bool BinderServices::start_run(StartRun::Request& request, StartRun::Response& response) {
   return scan_cell_common::answer(response, [&] {
     const std::lock_guard<std::mutex> lock(mutex_);
-    if (!scan_)
-      throw scan_cell_common::Refused("run", "no scan is under way", "call ~start before");
+    if (!scan_) throw scan_cell_common::Refused("run", "no scan is under way", "call ~start first");
     scan_->start_run(request.run);
   });
 }

@@ -9,11 +9,11 @@ namespace {
 
 void describe(scan_cell_common::ParameterTable& table, LookupParameters& lookup) {
   table.add("lookup/address", lookup.address, "IPv4 of the interface that the lookup listens on");
-  table.add("lookup/port", lookup.port, {0, 65535}, "of the lookup; 0: off");
-  table.add("lookup/max_clients", lookup.limits.max_clients, {1, 64}, "at a time");
+  table.add("lookup/port", lookup.port, {0, 65535}, "port of the lookup; 0: off");
+  table.add("lookup/max_clients", lookup.limits.max_clients, {1, 64}, "most clients at a time");
   table.renamed("lookup/most_clients", "lookup/max_clients");
   table.add("lookup/idle_time", lookup.limits.idle_time, {1, 3600, "s"},
-            "without a byte, after which a client is disconnected");
+            "a client that sends nothing for this long is disconnected");
 }
 
 }  // namespace

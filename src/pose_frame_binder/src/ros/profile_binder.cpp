@@ -70,7 +70,7 @@ void describe(scan_cell_common::ParameterTable& table, Frames& frames) {
                             const std::string& meaning) {
     table.add(name, frame, meaning);
     if (frame.empty() || frame.front() == '/')
-      table.refuse(name, "'" + frame + "'", "give the frame's name, without a slash before it");
+      table.refuse(name, "'" + frame + "'", "give the frame's name, without a leading slash");
   };
   add("fixed_frame", frames.fixed, "poses are bound in it");
   add("base_frame", frames.base, "the robot's base");
@@ -89,11 +89,12 @@ void describe(scan_cell_common::ParameterTable& table, ConstantSpeed& motion) {
   add("start", motion.start);
   add("end", motion.end);
   table.add("speed", motion.speed, {0, 100, "m/s"}, "`constant_speed`: from start to end");
-  table.add("frame_rate", motion.frame_rate, {0, 1e5, "Hz"}, "`constant_speed`");
+  table.add("frame_rate", motion.frame_rate, {0, 1e5, "Hz"},
+            "`constant_speed`: rate of the frames");
   std::string moving = motion.object_moves ? "object" : "scanner";
   table.choice("moving", moving, {"object", "scanner"},
-               "`constant_speed`: object: a conveyor carries it from start to end, and the scanner "
-               "stands at start");
+               "`constant_speed`: object: a conveyor carries the object from start to end, and the "
+               "scanner stands at start");
   motion.object_moves = moving == "object";
 }
 

@@ -75,7 +75,8 @@ void run(const Options& options) {
 
 void declare(CLI::App& app, Options& options) {
   app.add_option("--forward", options.forward, "recorded scan")->required();
-  app.add_option("--backward", options.backward, "of the same scene, in the opposite direction")
+  app.add_option("--backward", options.backward,
+                 "recorded scan of the same scene, in the opposite direction")
       ->required();
   app.add_option("--scanner", options.scanner, "scanner model, YAML")->required();
   app.add_option("--events", options.topics.events, "topic")->capture_default_str();
@@ -83,8 +84,10 @@ void declare(CLI::App& app, Options& options) {
   app.add_option("--poses", options.topics.poses, "topic")->capture_default_str();
   options.typed.add(app, options.frames, {"base_frame", "flange_frame"});
   options.typed.add(app, options.settings, {"camera_latency", "pose_delay"});
-  app.add_option("--max-delay", options.offset.max_delay, "[s] looked for")->capture_default_str();
-  app.add_option("--max-distance", options.offset.max_distance, "[m] between the scans")
+  app.add_option("--max-delay", options.offset.max_delay, "[s] longest delay that is looked for")
+      ->capture_default_str();
+  app.add_option("--max-distance", options.offset.max_distance,
+                 "[m] largest distance between the scans")
       ->capture_default_str();
   options.typed.add(app, options.limits, {"min_range", "max_range"});
   scan_cell_common::refuse_renamed(

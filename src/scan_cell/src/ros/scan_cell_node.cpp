@@ -15,7 +15,7 @@
 int main(int argc, char** argv) {
   return scan_cell_common::node_main<scan_cell::Parameters>(
       argc, argv, "scan_cell",
-      "Directs the cell: the actions of a scan, of a calibration and of the work.", [] {
+      "Directs the cell: the actions for scans, calibrations and the work.", [] {
         ros::NodeHandle node("~");
         const auto parameters = scan_cell_common::load_parameters<scan_cell::Parameters>(node);
         constexpr int kThreads = 4;  // goals and cancels are received during a service call

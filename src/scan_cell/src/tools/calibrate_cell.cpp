@@ -91,7 +91,8 @@ void add_options(CLI::App& app, Options& options) {
   app.add_option("--poses", options.goal.poses, "file of taught poses of the flange")
       ->required()
       ->check(CLI::ExistingFile);
-  app.add_option("--session", options.goal.session, "folder to record into, without a session")
+  app.add_option("--session", options.goal.session,
+                 "folder to record into; must not hold a session yet")
       ->required();
   app.add_option("--output", options.goal.output,
                  "scanner model (YAML) to write; none: record only");
@@ -101,7 +102,7 @@ void add_options(CLI::App& app, Options& options) {
       ->capture_default_str();
   app.add_option("--square", options.goal.square_size, "[m] of the board")->capture_default_str();
   app.add_option("--scanner", options.goal.scanner,
-                 "existing scanner model, which gives what is not calibrated anew")
+                 "existing scanner model, used for what is not calibrated again")
       ->check(CLI::ExistingFile);
   CLI::Option* const camera_alone =
       app.add_flag("--camera-alone", options.camera_alone,
@@ -109,7 +110,7 @@ void add_options(CLI::App& app, Options& options) {
   app.add_flag("--lasers-alone", options.lasers_alone,
                "calibrate lasers; camera and its pose on the flange are kept from --scanner")
       ->excludes(camera_alone);
-  app.add_option("--lasers", options.lasers, "each of them is on in turn")
+  app.add_option("--lasers", options.lasers, "lasers to calibrate; each is on in turn")
       ->check(CLI::Range(0, 1))
       ->capture_default_str()
       ->excludes(camera_alone);

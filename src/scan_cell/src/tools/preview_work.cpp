@@ -34,7 +34,7 @@ int preview(const scan_cell::WorkOptions& options) {
   std::printf("%zu poses of the tip, %zu faults\n", preview.waypoints.size(),
               preview.faults.size());
   if (std::isfinite(preview.slowest_speed))
-    std::printf("slowest at %s: %g mm/s at most, as joints and tool can turn\n",
+    std::printf("slowest at %s: %g mm/s at most, limited by the turning of joints and tool\n",
                 slowest_place(preview).c_str(), preview.slowest_speed * 1e3);
   return preview.faults.empty() ? 0 : scan_cell_common::kRefused;
 }
@@ -44,11 +44,11 @@ int preview(const scan_cell::WorkOptions& options) {
 int main(int argc, char** argv) {
   scan_cell::WorkOptions options;
   CLI::App app(
-      "Says where the robot cannot follow an adapted path, and shows the way in rviz. Nothing "
+      "Says where the robot cannot follow an adapted path, and shows the path in rviz. Nothing "
       "moves.\n"
-      "Exit code 0: it can follow it; 2: it cannot; 1: nobody knows, as without a cell.");
+      "Exit code 0: it can follow it; 2: it cannot; 1: not known, for example without a cell.");
   scan_cell::add_options(app, options);
-  app.add_flag("--dry-run", options.dry_run, "of the dry run: lifted and slow");
+  app.add_flag("--dry-run", options.dry_run, "preview the dry run: lifted and slow");
   return scan_cell_common::ros_tool_main(
       "preview_work", app, argc, argv, [&] { return preview(options); },
       scan_cell_common::kUnusable);

@@ -31,7 +31,7 @@ int main(int argc, char** argv) {
   std::string cell = "/scan_cell";
   double timeout = 10;
   CLI::App app("Appends the pose in which the robot stands now to a file of taught poses");
-  app.add_option("--poses", file, "file of taught poses (CSV), made where there is none")
+  app.add_option("--poses", file, "file of taught poses (CSV), created if there is none")
       ->required();
   app.add_option("--cell", cell, "node that directs the cell")->capture_default_str();
   app.add_option("--timeout", timeout, "seconds to wait for the cell")->capture_default_str();

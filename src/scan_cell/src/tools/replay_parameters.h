@@ -33,7 +33,7 @@ inline void describe(scan_cell_common::ParameterTable& table, ReplayParameters& 
   table.add("speed", parameters.speed, {0.01, 1000}, "times real time");
   table.add("timeout", parameters.timeout, {1, 3600, "s"},
             "longest wait for a node, a cloud or the stretcher");
-  table.add("patience", parameters.patience, {0.1, 600, "s"}, "for data that is late");
+  table.add("patience", parameters.patience, {0.1, 600, "s"}, "longest wait for data that is late");
   table.add("binder", parameters.binder, "node with `~start` and `~finish`");
   table.add("triangulation", parameters.triangulation,
             "node with `~start`, `~finish` and `~cloud`");

@@ -78,7 +78,7 @@ void check_calibration(const Options& options, const scan_cell::CalibrationFiles
                            {{"message", file + " " + message}, {"calibration", now}});
     throw scan_cell_common::Refused(
         fmt::format("the cell's {} file {}", name, file), message,
-        "start the cell with the other, or see to it that this one is right, and ask for it");
+        "start the cell with the other file, or check that this one is right and ask for it");
   }
 }
 
@@ -127,8 +127,9 @@ int main(int argc, char** argv) {
               "(.json)");
   outputs.add(app, "--bag", options.bag, "what replay needs to make the cloud again (.bag)");
   outputs.add(app, "--clean", options.clean, "clean cloud of one object (.ply, .pcd)");
-  app.add_option("--calibrated-with", options.calibrated_with,
-                 "NAME SHA256 of its scanner and cell files: with others it does not scan");
+  app.add_option(
+      "--calibrated-with", options.calibrated_with,
+      "NAME SHA256 of the cell's scanner and cell files: with other files it does not scan");
   app.add_option("--units", options.units, "of the clouds")
       ->check(CLI::IsMember(scan_cell_common::length_units()))
       ->capture_default_str();

@@ -21,13 +21,12 @@ struct WorkOptions {
 inline void add_options(CLI::App& app, WorkOptions& options) {
   app.add_option("--path", options.goal.path, "adapted tool path, as adapt wrote it")->required();
   app.add_option("--report", options.goal.report, "report that adapt wrote with it")->required();
-  app.add_option(
-         "--waypoint-z", options.waypoint_z,
-         "where the z axis of the waypoints points; without it as the cell's parameter says")
+  app.add_option("--waypoint-z", options.waypoint_z,
+                 "where the z axis of the waypoints points; without: as the cell's parameter says")
       ->check(CLI::IsMember({"into_part", "out_of_part"}));
-  app.add_option("--frame", options.goal.frame, "of the path; without it world");
+  app.add_option("--frame", options.goal.frame, "frame of the path; without: world");
   app.add_option("--from-waypoint", options.goal.from_waypoint,
-                 "begin with this one, counted from 0");
+                 "begin with this waypoint, counted from 0");
   app.add_option("--timeout", options.timeout, "seconds to wait for the cell");
 }
 

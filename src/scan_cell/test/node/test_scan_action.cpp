@@ -289,7 +289,7 @@ TEST_F(ScanClient, RefusesLasersThatHaveNoTimeToTakeTurnsBeforeAnythingMoves) {
   const ScanResult result = run(program);
   EXPECT_EQ(result.outcome, ScanResult::REFUSED);
   EXPECT_EQ(result.message,
-            "pass 2: trigger: cannot be armed so; /laser_trigger/check_arm: refused; rate: 50 Hz "
+            "pass 2: trigger: arming refused; /laser_trigger/check_arm: refused; rate: 50 Hz "
             "to alternate");
   EXPECT_EQ(result.audit.triggers, 0U) << "the first pass was not begun";
 }

@@ -144,7 +144,7 @@ class ConstantSpeed(Binding):
         for other in (arc, way):
             result = self.scan(line(ScanPass.LASER_0), other)
             self.assertEqual(result.outcome, ScanResult.REFUSED, result.message)
-            self.assertIn('pass 2: an arc or a poly-line', result.message)
+            self.assertIn('pass 2: an arc or a polyline', result.message)
             self.assertIn('scan it with binding:=interpolate', result.message)
             self.assertEqual(len(self.truth), 0, 'no frame was exposed')
 

@@ -127,7 +127,7 @@ class ProgramCheck(unittest.TestCase):
         self.scan.send_goal_and_wait(goal, rospy.Duration(TIMEOUT))
         result = self.scan.get_result()
         self.assertEqual(result.outcome, msg.ScanResult.REFUSED, result.message)
-        self.assertIn('pass 2, its line: the robot cannot go it at 1.350 0.000 1.500 m', result.message)
+        self.assertIn('pass 2, its line: the robot cannot follow it at 1.350 0.000 1.500 m', result.message)
         self.assertEqual(result.passes_finished, 0)
         self.assertEqual(standing(), before)
 

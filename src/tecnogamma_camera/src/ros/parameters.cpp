@@ -26,7 +26,7 @@ void describe_camera(ParameterTable& table, CameraSettings& camera) {
   table.add("region_width", camera.region.width, pixels, "0: to the sensor's right edge");
   table.add("region_height", camera.region.height, pixels, "0: to the sensor's lower edge");
   describe_optional(table, "exposure", camera.exposure, 0, {0, 10, "s"},
-                    "0: as the camera is set; once one was given, 0 is refused");
+                    "0: as the camera is set; 0 is refused once a value has been given");
   describe_optional(table, "gain", camera.gain, -1, {-1, 1000},
                     "in the camera's unit, mostly dB; -1: as the camera is set");
   describe_optional(table, "rate", camera.rate, 0, {0, 100000, "Hz"},
@@ -48,27 +48,27 @@ void describe_stream(ParameterTable& table, AravisOptions& stream) {
   table.add("packet_size", stream.packet_size, {0, 65535, "bytes"},
             "0: the largest that comes through");
   table.add("packet_socket", stream.packet_socket,
-            "receive below the IP stack where the rights allow it");
+            "receive below the IP stack if the rights allow it");
   table.add("packet_resend", stream.packet_resend, "ask for missing packets");
-  table.add("realtime", stream.realtime, "real-time receiving thread where the rights allow it");
+  table.add("realtime", stream.realtime, "real-time receiving thread if the rights allow it");
 }
 
 void describe_recording(ParameterTable& table, Parameters& parameters) {
-  table.add("bag_topic", parameters.bag_topic, "of the images in a bag; none: the only one");
+  table.add("bag_topic", parameters.bag_topic, "topic of the images in a bag; none: the only one");
   table.add("playback_speed", parameters.source.playback.speed, {0, 1000},
-            "of a recording: times as fast as it was made; 0: as fast as it goes");
+            "of a recording, as a multiple of the recorded speed; 0: as fast as possible");
   table.add("loop", parameters.source.playback.loop,
-            "of a recording: from its end back to its beginning");
+            "play a recording again from its beginning when it ends");
 }
 
 void describe_payload(ParameterTable& table, PayloadOptions& payload) {
   table.choice("payload", payload.format, payload_names(), "what the frames hold (below)");
   table.add("payload_tick", payload.tecnogamma.tick, {0, 1, "s"},
-            "of the time counter in relief frames; 0: not known, the transport's time is taken");
+            "of the time counter in relief frames; 0: not known, so the transport's time is used");
   table.add("scan_first_row", payload.photonfocus.scan_first_row, {-1, 65535, "px"},
-            "Peak0_3DY of a 3D03; -1: the camera is asked");
+            "Peak0_3DY of a 3D03; -1: read from the camera");
   table.add("scan_rows", payload.photonfocus.scan_rows, {-1, 1024, "px"},
-            "Peak0_3DH of a 3D03; -1: the camera is asked");
+            "Peak0_3DH of a 3D03; -1: read from the camera");
   table.add("scan_with_image", payload.photonfocus.with_image,
             "the 3D03 is in its mode 2D&3D, not in 3Donly");
   payload.tecnogamma.check();
@@ -77,40 +77,41 @@ void describe_payload(ParameterTable& table, PayloadOptions& payload) {
 
 void describe_acquisition(ParameterTable& table, AcquisitionParameters& acquisition) {
   table.choice("mode", acquisition.mode, {"stop", "live_only", "relief_only", "relief_live"},
-               "once the camera is first found");
-  table.choice("trigger", acquisition.trigger, {"free_run", "external_trigger"}, "of `mode`");
+               "mode once the camera is first found");
+  table.choice("trigger", acquisition.trigger, {"free_run", "external_trigger"},
+               "trigger in that mode");
   std::string clock = acquisition.clock.device_is_host ? "host" : "mapped";
-  table.choice("device_clock", clock, {"mapped", "host"},
-               "host: the camera's clock is the host's (PTP, a camera on this computer) and is "
-               "taken as it is; more than 1 s between them is an error, where a "
-               "busy host does not explain it");
+  table.choice(
+      "device_clock", clock, {"mapped", "host"},
+      "host: the camera's clock is the host's (PTP, a camera on this computer) and is "
+      "taken as it is; more than 1 s between them is an error, unless a busy host explains it");
   acquisition.clock.device_is_host = clock == "host";
   table.add("clock_window", acquisition.clock.window, {0.1, 3600, "s"},
-            "over which the least delay is sought");
+            "period over which the least delay is determined");
   table.add("retry_period", acquisition.retry_period, {0.1, 60, "s"},
             "between tries to find the camera; it does not grow");
   table.add("start_timeout", acquisition.start_timeout, {0.1, 60, "s"},
             "for the camera to be found, and for the first frame of free run");
   table.add("arming_time", acquisition.arming_time, {0, 10, "s"},
-            "after a start in which a camera may miss pulses");
+            "time after a start in which a camera may miss pulses");
   table.add("silence_timeout", acquisition.silence_timeout, {0.1, 3600, "s"},
-            "without a frame in free run: the camera is taken for lost");
+            "the camera counts as lost after this long without a frame in free run");
 }
 
 }  // namespace
 
 void describe(ParameterTable& table, Parameters& parameters) {
   table.add("camera", parameters.camera,
-            "id, serial number or address (an IP address is asked directly, without a search); "
+            "id, serial number or address (an IP address is contacted directly, without a search); "
             "`folder:PATH` or `bag:PATH`: a recording; none: the only camera that answers");
   table.add("frame_id", parameters.frame_id, "of images and profiles");
   table.add("scanner_model", parameters.scanner_model,
             "file for `camera_info` (scanner_model.md); none: uncalibrated");
   table.choice("detector", parameters.tuning.detector, detector_names(),
-               "that finds the laser's line");
+               "method that finds the laser's line");
   describe(table, parameters.tuning.detection);
   table.add("live_ratio", parameters.tuning.live_ratio, {1, kMaxLiveRatio},
-            "profiles to an image in RELIEF_LIVE");
+            "profiles per image in RELIEF_LIVE");
   describe_acquisition(table, parameters.acquisition);
   describe_camera(table, parameters.acquisition.camera);
   describe_payload(table, parameters.source.payload);

@@ -43,7 +43,7 @@ void extract(const std::string& image_path, const std::string& output_path,
 /// Writes the peaks of one image to a CSV file. Exits 0, or 1 on unusable input.
 int main(int argc, char** argv) {
   scan_cell_common::Outputs outputs;
-  CLI::App app("Finds the laser line in an image: one peak a row, written as CSV");
+  CLI::App app("Finds the laser line in an image: one peak per row, written as CSV");
   app.option_defaults()->always_capture_default();
   std::string image, output, detector = "fir_derivative";
   DetectorSettings settings;

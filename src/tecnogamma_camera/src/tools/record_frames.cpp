@@ -121,12 +121,12 @@ int main(int argc, char** argv) {
   app.add_option("--camera", options.camera,
                  "id, serial number or address; without: the only one that answers");
   app.add_option("--output", options.output, "a new folder")->required();
-  app.add_option("--frames", options.frames, "how many; Ctrl-C ends it before")
+  app.add_option("--frames", options.frames, "how many; Ctrl-C ends the recording earlier")
       ->check(CLI::PositiveNumber);
-  app.add_flag("--external", options.external, "one frame a pulse, not in free run");
+  app.add_flag("--external", options.external, "one frame per pulse instead of free run");
   app.add_option("--trigger-source", settings.trigger_source, "of --external");
   app.add_flag("--payload", options.payload,
-               "the bytes as they come, of a camera that finds the peaks itself");
+               "record the raw bytes of a camera that finds the peaks itself");
   app.add_option("--pixel-format", settings.pixel_format, "GenICam PixelFormat of grey values");
   app.add_option("--rate", settings.rate, "[Hz] of free run")->always_capture_default(false);
   app.add_option("--exposure", settings.exposure, "[s]")->always_capture_default(false);

@@ -32,7 +32,7 @@ Eigen::Vector3d direction(const YamlEntry& entry) {
   const Eigen::Vector3d out = entry.vector<3>();
   constexpr double kLeast = 1e-6, kMost = 1e6;  // range in which a length can be computed exactly
   if (!(out.norm() > kLeast && out.norm() < kMost))
-    entry.refuse("no direction", "give the one out of the solid, such as [0, 0, 1]");
+    entry.refuse("no direction", "give the normal that points out of the solid, such as [0, 0, 1]");
   return out.normalized();
 }
 
@@ -54,7 +54,7 @@ void read_size(const YamlEntry& entry, CellShape& shape) {
   take("half_space", CellShape::Kind::kHalfSpace, direction);
   if (kinds != 1) {
     entry.refuse(fmt::format("{} of sphere, box, capsule and half_space", kinds),
-                 "give one of them");
+                 "give exactly one of them");
   }
 }
 
@@ -66,7 +66,7 @@ CellShape read_shape(const YamlEntry& entry) {
   read_size(entry, shape);
   if (entry.has("pose")) shape.pose = entry["pose"].pose();
   if (shape.kind == CellShape::Kind::kHalfSpace && shape.frame != "base_link")
-    entry["frame"].refuse("'" + shape.frame + "'", "a half-space stands in base_link");
+    entry["frame"].refuse("'" + shape.frame + "'", "give base_link: a half-space cannot move");
   return shape;
 }
 
@@ -98,13 +98,14 @@ class Reader {
   void read_clearance(const YamlEntry& entry) {
     result_.clearance = entry.as<double>();
     if (!(result_.clearance >= 0) || !std::isfinite(result_.clearance))
-      entry.refuse(fmt::format("{:g} m", result_.clearance), "give metres from 0 up");
+      entry.refuse(fmt::format("{:g} m", result_.clearance), "give 0 m or more");
   }
 
   void take_name(const YamlEntry& entry) {
     const auto name = entry.as<std::string>();
     if (name.empty()) entry.refuse("empty", "give a name");
-    if (!names_.insert(name).second) entry.refuse("'" + name + "' again", "give each its own name");
+    if (!names_.insert(name).second)
+      entry.refuse("'" + name + "' is already used", "give each shape its own name");
   }
 
   void read_pair(const YamlEntry& entry) {

@@ -128,7 +128,7 @@ ToolCheck Client::check_path(const ToolMotion& motion, std::size_t from, const R
   if (from + 2 > motion.waypoints.size()) {
     throw scan_cell_common::UnusableInput("waypoint to begin with",
                                           fmt::format("{} of {}", from, motion.waypoints.size()),
-                                          "give one that is followed by another");
+                                          "give any but the last");
   }
   ToolMotion rest = motion;
   rest.waypoints.erase(rest.waypoints.begin(),
@@ -162,8 +162,8 @@ void Client::follow(const ToolMotion& motion, std::size_t from,
     throw Refused("path",
                   check.as_it_stands.empty()
                       ? fmt::format("the robot is not at waypoint {}", from)
-                      : "not from the posture in which the robot stands: " + check.as_it_stands,
-                  "move it there first, to the joints that check_follow gives");
+                      : "not from the robot's present posture: " + check.as_it_stands,
+                  "first move it there, to the joints that check_follow gives");
   }
   FollowPath request = load_path(*link_, motion, ++paths_, from, go_on);
   request.watch = options_.follow_watch;
@@ -197,7 +197,7 @@ RobotState Client::current() const {
 RobotState Client::standing() const {
   const RobotState state = current();
   if (state.status == MotionStatus::kMoving) {
-    throw Refused("motion", "the robot is moving", "wait until it stands");
+    throw Refused("motion", "the robot is moving", "wait until it stands still");
   }
   return state;
 }
@@ -257,7 +257,7 @@ MeasuredState Client::static_pose() {
   const auto state = latest();
   if (!state) throw ConnectionError(name(), "sent no pose", kCheckLink);
   if (state->robot.status == MotionStatus::kMoving) {
-    throw Refused("static pose", "the robot is moving", "wait until it stands, or stop it");
+    throw Refused("static pose", "the robot is moving", "wait until it stands still, or stop it");
   }
   return *state;
 }

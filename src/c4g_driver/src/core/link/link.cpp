@@ -212,7 +212,7 @@ std::optional<Acknowledgement> Link::exchange(const std::string& datagram) {
 /// @param malformed count of malformed datagrams before the request
 std::string Link::why_no_answer(const Request& request, std::uint64_t malformed) const {
   const Malformed now = receiver_.malformed();
-  if (now.count > malformed) return "sends what the protocol does not allow: " + now.last;
+  if (now.count > malformed) return "violates the protocol: " + now.last;
   return "does not answer " + name_of(request);
 }
 

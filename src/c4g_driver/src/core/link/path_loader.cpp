@@ -42,7 +42,8 @@ FollowPath load_path(Link& link, const ToolMotion& motion, std::uint64_t path, s
   loader.send(LoadPath{path, motion.waypoints.size(), motion.flange_to_tip}, 0);
   for (const PathPiece& piece : pieces) {
     if (go_on && !go_on()) {
-      throw scan_cell_common::Refused("path", "cancelled while it was loaded", "send it again");
+      throw scan_cell_common::Refused("path", "cancelled while it was being loaded",
+                                      "send it again");
     }
     loader.send(piece, piece.first + piece.waypoints.size());
   }

@@ -33,12 +33,13 @@ void describe(ParameterTable& table, RobotLimits& limits) {
   table.add("workspace_max", limits.workspace_max, {-10, 10, "m"}, "the same");
   constexpr Also kNone = Also::kNone;
   table.add("joint_lower", limits.joint_lower, {-100, 100, "rad", kNone},
-            "narrower than the URDF's; wider ones change nothing");
+            "narrower than the URDF's; wider limits have no effect");
   table.add("joint_upper", limits.joint_upper, {-100, 100, "rad", kNone}, "the same");
   table.add("max_linear_speed", limits.max_linear_speed, {1e-4, 10, "m/s"},
             "along lines in automatic operation");
   table.renamed("most_linear_speed", "max_linear_speed");
-  table.add("max_camera_rate", limits.max_camera_rate, {0, 1e5, "Hz"}, "that a goal may ask for");
+  table.add("max_camera_rate", limits.max_camera_rate, {0, 1e5, "Hz"},
+            "highest that a goal may request");
   table.renamed("most_camera_rate", "max_camera_rate");
 }
 
@@ -58,7 +59,7 @@ RobotLimits narrowed(const RobotLimits& limits, const RobotModel& robot) {
     throw scan_cell_common::InvalidParameter(
         fmt::format("range of J{}", i + 1),
         fmt::format("{:g} .. {:g} rad", limits.joint_lower[i], limits.joint_upper[i]),
-        fmt::format("give one within the robot's, {:g} .. {:g} rad", robot.lower()[i],
+        fmt::format("give a range within the robot's, {:g} .. {:g} rad", robot.lower()[i],
                     robot.upper()[i]));
   }
   return result;
@@ -125,15 +126,16 @@ void check_speed_in_force(double speed, const SpeedLimit& limit) {
   constexpr double kRounding = 1e-6;  // [m/s] of the conversion to the wire's unit and back
   if (speed <= limit.most + kRounding) return;
   throw Refused("linear speed set on the controller", fmt::format("{:g} m/s", speed),
-                fmt::format("set one up to {:g} m/s first: {}", limit.most, limit.reason));
+                fmt::format("first set {:g} m/s or less: {}", limit.most, limit.reason));
 }
 
 void check_override(double percent, double most) {
   constexpr double kLeast = 0.01;  // [%] the smallest on the wire (c4g_protocol.md)
   if (percent >= kLeast && percent <= most) return;
-  throw Refused("override", fmt::format("{:g} %", percent),
-                fmt::format("give one from {:g} to {:g} %{}", kLeast, most,
-                            most < 100 ? "; more when the motion under way has ended" : ""));
+  throw Refused(
+      "override", fmt::format("{:g} %", percent),
+      fmt::format("give one from {:g} to {:g} %{}", kLeast, most,
+                  most < 100 ? "; a higher one only after the motion under way has ended" : ""));
 }
 
 }  // namespace c4g_driver

@@ -117,8 +117,9 @@ MotionEnd MotionCheck::along(const Path& path) const {
   throw MotionRefused(
       fmt::format("speed of J{}", strain.joint + 1),
       fmt::format("{:g} rad/s at {}", strain.rate * settings_.override / 100, at(strain.way)),
-      fmt::format("the limit is {:g} rad/s: set the override up to {:g} %, or lower speeds",
-                  robot_.speed()[strain.joint], most),
+      fmt::format(
+          "the limit is {:g} rad/s: set the override to {:g} % or less, or lower the speeds",
+          robot_.speed()[strain.joint], most),
       {strain.way, path.at(strain.way)});
 }
 
@@ -142,7 +143,7 @@ Joints MotionCheck::reach(const MotionPlace& target, const std::string& name) co
     const double lower = limits_.joint_lower[i], upper = limits_.joint_upper[i];
     if (best[i] >= lower - kBeyondSetting && best[i] <= upper + kBeyondSetting) continue;
     throw MotionRefused(fmt::format("{} J{}", name, i + 1),
-                        fmt::format("{:g} rad in the posture that comes nearest", best[i]),
+                        fmt::format("{:g} rad in the nearest posture", best[i]),
                         "give a pose that keeps it within " + range(lower, upper, " rad"), target);
   }
   return best;
@@ -171,8 +172,8 @@ MotionEnd MotionCheck::to_joints(const Joints& target) const {
   const double most = max_override(speed / speed_.most);
   if (settings_.override <= most + kBeyondSetting) return {most, target, end};
   throw Refused("speed of the flange", fmt::format("{:g} m/s", speed * settings_.override / 100),
-                fmt::format("the limit is {:g} m/s, set the override up to {:g} %: {}", speed_.most,
-                            most, speed_.reason));
+                fmt::format("the limit is {:g} m/s, set the override to {:g} % or less: {}",
+                            speed_.most, most, speed_.reason));
 }
 
 }  // namespace c4g_driver

@@ -14,7 +14,7 @@ namespace c4g_driver {
 namespace {
 
 constexpr double kRounding = 1e-6;  // [rad] or [m] beyond a limit; chosen
-constexpr const char* kOtherWay = "go there in joints, or by points between";
+constexpr const char* kOtherWay = "use a joint motion, or intermediate points";
 
 std::optional<Hindrance> outside_range(const Joints& joints, const RobotLimits& limits,
                                        const std::string& path, double way) {
@@ -43,7 +43,7 @@ std::optional<Hindrance> singular(const RobotModel& robot, const Joints& before,
 }
 
 Hindrance lost(const std::string& path, double way) {
-  return {path, "the posture cannot follow it from " + at(way), kOtherWay, way};
+  return {path, "the robot cannot follow it in this posture from " + at(way), kOtherWay, way};
 }
 
 void take(Strain& strain, const RobotModel& robot, const Joints& rate, double way) {
@@ -109,7 +109,8 @@ std::optional<Hindrance> outside_workspace(const Eigen::Vector3d& place, const R
     return Hindrance{
         fmt::format("way of the flange, {}", "xyz"[i]),
         fmt::format("{:g} m at {}", place[i], at(way)),
-        fmt::format("the workspace is {}: go by points between", range(lower, upper, " m")), way};
+        fmt::format("the workspace is {}: use intermediate points", range(lower, upper, " m")),
+        way};
   }
   return std::nullopt;
 }

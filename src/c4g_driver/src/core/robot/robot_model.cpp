@@ -73,14 +73,14 @@ KDL::Chain chain_of(const urdf::ModelInterface& model, const std::string& base,
     if (link->parent_joint) joints.push_back(link->parent_joint);
   if (!link) {
     refuse("no chain from '" + base + "' to '" + flange + "'",
-           "set base_frame and flange_link to links of the URDF, the one before the other");
+           "set base_frame and flange_link to links of one chain in the URDF, base_frame first");
   }
   KDL::Chain chain;
   for (auto joint = joints.rbegin(); joint != joints.rend(); ++joint)
     add(chain, **joint);
   if (chain.getNrOfJoints() != 6) {
     refuse(fmt::format("{} moving joints from '{}' to '{}'", chain.getNrOfJoints(), base, flange),
-           "give an arm of six");
+           "give an arm with six");
   }
   return chain;
 }
@@ -91,7 +91,7 @@ RobotModel::RobotModel(const std::string& urdf, const std::string& base,
                        const std::string& flange) {
   const auto model = urdf::parseURDF(urdf);
   if (!model) {
-    refuse("'" + scan_cell_common::excerpt(urdf) + "'", "give a URDF that check_urdf takes");
+    refuse("'" + scan_cell_common::excerpt(urdf) + "'", "give a URDF that check_urdf accepts");
   }
   chain_ = chain_of(*model, base, flange);
   std::size_t i = 0;
@@ -104,7 +104,7 @@ RobotModel::RobotModel(const std::string& urdf, const std::string& base,
     const auto joint = model->getJoint(names_[i]);
     const bool endless = joint->type == urdf::Joint::CONTINUOUS;
     if (joint->type != urdf::Joint::REVOLUTE && !endless)
-      refuse(names_[i] + " does not turn", "give an arm of six that do");
+      refuse(names_[i] + " does not turn", "give an arm with six revolute joints");
     if (!joint->limits || !(joint->limits->velocity > 0) ||
         (!endless && !(joint->limits->lower < joint->limits->upper))) {
       refuse(names_[i] + " has no range or no speed", "give its limit: lower, upper and velocity");

@@ -43,7 +43,7 @@ void check_input(const ToolMotion& motion) {
     }
     if (!(waypoint.zone >= 0) || !std::isfinite(waypoint.zone)) {
       throw UnusableInput(name + ", zone", fmt::format("{:g} m", waypoint.zone),
-                          "give one from 0 up");
+                          "give 0 m or more");
     }
   }
 }

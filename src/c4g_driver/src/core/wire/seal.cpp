@@ -43,9 +43,10 @@ void check_seal(std::string_view datagram) {
   const std::size_t end = datagram.rfind(kKey);
   const bool there = end != std::string_view::npos;
   if (there && datagram.substr(end) == Entry(datagram.substr(0, end)).text()) return;
-  throw scan_cell_common::ProtocolError(
-      "C4G datagram", there ? "its crc does not match" : "no crc at its end",
-      "see c4g_protocol.md; where the sender is right, look for what spoils the network");
+  throw scan_cell_common::ProtocolError("C4G datagram",
+                                        there ? "its crc does not match" : "no crc at its end",
+                                        "see c4g_protocol.md; if the sender is right, find out "
+                                        "what corrupts datagrams on the network");
 }
 
 }  // namespace c4g_driver

@@ -17,8 +17,8 @@ constexpr std::size_t kMaxHeld = 64;  // chosen
 constexpr std::size_t kMaxUnproved = 64;
 
 constexpr const char* kUnproved =
-    "it could be of the pulse before or after its own, which was with the other laser: no interval "
-    "between pulses that differs from the others has proved the latency";
+    "it may belong to the pulse before or after, which had the other laser on: no change of the "
+    "pulse interval has proved the latency";
 
 std::string milliseconds(Nanoseconds time) {
   constexpr double kPerMillisecond = 1e6;  // [ns]
@@ -60,13 +60,13 @@ void FrameMatcher::finish() {
 void FrameMatcher::take(FrameRecord& record) {
   const Frame& frame = record.frame;
   if (frame.acquisition < acquisition_) {
-    drop(record, DropReason::kOutOfOrder, "the camera has been started again since");
+    drop(record, DropReason::kOutOfOrder, "the camera has been restarted since");
     return;
   }
   if (frame.acquisition > acquisition_) {
     elect_from_few();
     judge_held(false);
-    drop_unconfirmed("before the camera was started again");
+    drop_unconfirmed("before the camera was restarted");
     begin_acquisition(frame.acquisition);
   }
   const bool usable = frame.corrupt.empty();
@@ -210,7 +210,7 @@ void FrameMatcher::accept(FrameRecord& record) {
   frames_.set(record, FrameState::kAgreed);
   if (drop_next_ > 0) {
     --drop_next_;
-    drop_unconfirmed("after the counter slipped, or the camera was started again");
+    drop_unconfirmed("after the counter slipped, or the camera was restarted");
   } else if (frames_.count(FrameState::kAgreed) > margin_) {
     confirm(frames_.count(FrameState::kAgreed) - margin_);
   }
@@ -281,7 +281,7 @@ void FrameMatcher::refuse(FrameRecord& record, bool disputed) {
   }
   if (disputed) {
     drop_next_ = margin_;
-    drop_unconfirmed("next to a frame that does not agree, where the counter slipped");
+    drop_unconfirmed("next to a frame that does not agree: the counter slipped");
   }
   std::string detail = fmt::format("its stamp gives pulse {}", pulses_[*place.pulse].count);
   detail += offset_ ? fmt::format(", its counter pulse {}",

@@ -31,8 +31,8 @@ void check_first(std::uint32_t pass) {
   if (pass == 0) return;
   throw scan_cell_common::Refused(
       fmt::format("pass {}", pass + 1),
-      "the parameters constant_speed/* give the first one's motion alone",
-      "remove them: each line's own motion is told; or scan one pass");
+      "the parameters constant_speed/* describe the motion of the first arming only",
+      "remove them (scan_cell gives the motion of each line), or scan one pass");
 }
 
 }  // namespace
@@ -67,8 +67,8 @@ void check(const Run& run, const Settings& settings) {
   if (!run.motion) {
     throw scan_cell_common::Refused(
         fmt::format("pass {}", run.pass + 1),
-        "an arc or a poly-line, of which constant_speed knows no pose",
-        "scan it with binding:=interpolate, or as lines, each a pass of its own");
+        "an arc or a polyline, which constant_speed does not support",
+        "scan it with binding:=interpolate, or as lines, one pass each");
   }
   check(*run.motion);
 }

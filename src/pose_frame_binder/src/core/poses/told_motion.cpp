@@ -28,17 +28,16 @@ void ToldMotionRule::start_run(const std::optional<ConstantSpeed>& motion) {
 
 void ToldMotionRule::check_told(std::uint32_t run) const {
   if (run < runs_.size()) return;
-  throw scan_cell_common::Refused(
-      "constant_speed", "nobody told the motion",
-      "scan with scan_cell, which tells it, give it as constant_speed/start, end, speed and "
-      "frame_rate, or use another method");
+  throw scan_cell_common::Refused("constant_speed", "the motion was not given",
+                                  "scan with scan_cell, which gives it, set constant_speed/start, "
+                                  "end, speed and frame_rate, or use another method");
 }
 
 std::optional<PoseAnswer> ToldMotionRule::find(std::size_t index, const PulseLog& pulses,
                                                const PoseLog& poses) const {
   const Pulse& pulse = pulses[index];
   const std::uint32_t run = pulses.run(index);
-  if (run >= runs_.size()) return refuse(DropReason::kNoPoseBefore, "nobody told its motion");
+  if (run >= runs_.size()) return refuse(DropReason::kNoPoseBefore, "its motion was not given");
   const ConstantSpeed& motion = runs_[run];
   const std::size_t first = pulses.first_of(run);
   const std::optional<PoseAnswer> at_first = measured_.find(first, pulses, poses);

@@ -139,7 +139,8 @@ void check_relief(const TimeOffset& offset, const std::vector<OffsetPair>& pairs
   for (const OffsetPair& pair : pairs)
     if (pair.on_relief) ++blocks[pair.block];
   const char* const cure =
-      "put something with slopes along the motion there, such as a box on its edge or a pipe";
+      "add an object with slopes along the motion to the scene, such as a box on its edge or a "
+      "pipe";
   if (offset.on_relief < kMinPairs || blocks.size() < kMinBlocks) {
     throw UnusableInput(
         "relief along the motion",

@@ -55,17 +55,17 @@ PassCamera read_camera(const YamlEntry& entry) {
 
 ScanPass read_pass(const YamlEntry& entry) {
   if (entry.has("frame")) {
-    entry["frame"].refuse("a pass has none of its own",
+    entry["frame"].refuse("a pass cannot have its own frame",
                           "give all poses in the program's frame, or make two programs");
   }
   entry.refuse_unknown({"name", "line", "arc", "poses", "speed", "rate", "laser", "camera"});
   ScanPass pass;
   for (const PassKind kind : {PassKind::kLine, PassKind::kArc, PassKind::kPolyline}) {
     if (!entry.has(word_of(kind))) continue;
-    if (!pass.poses.empty()) entry.refuse("more than one way", "give line, arc or poses");
+    if (!pass.poses.empty()) entry.refuse("more than one of line, arc and poses", "give one");
     read_way(entry[word_of(kind)], kind, pass);
   }
-  if (pass.poses.empty()) entry.refuse("no way", "give line, arc or poses");
+  if (pass.poses.empty()) entry.refuse("none of line, arc and poses", "give one");
   if (entry.has("name")) pass.name = entry["name"].as<std::string>();
   if (entry.has("camera")) pass.camera = read_camera(entry["camera"]);
   read_motion(entry, pass);

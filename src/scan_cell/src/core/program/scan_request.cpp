@@ -83,7 +83,7 @@ class PassCheck {
     const double exposure = *pass_.camera.exposure, period = 1 / pass_.rate;
     if (exposure > 0 && exposure < period) return;  // refuses NaN too
     refuse("exposure", fmt::format("{:g} s", exposure),
-           fmt::format("give one above 0, below the {:g} s from frame to frame", period));
+           fmt::format("give one above 0 and below the frame period of {:g} s", period));
   }
 
   void check_length() const {
@@ -97,12 +97,12 @@ class PassCheck {
     }
     const double whole = length(pass_);
     if (std::isnan(whole)) {
-      refuse("arc", "its three poses are on no circle",
-             "put the middle pose beside the line from start to end, or give a line");
+      refuse("arc", "its three poses do not define a circle",
+             "move the middle pose off the line from start to end, or give a line");
     }
     if (whole > limits_.max_length) {
       refuse("length", fmt::format("{:g} m", whole),
-             fmt::format("give a way of at most {:g} m", limits_.max_length));
+             fmt::format("give a path of at most {:g} m", limits_.max_length));
     }
   }
 
@@ -121,7 +121,7 @@ class PassCheck {
       refuse(fmt::format("arc from pose {} to pose {}", i, i + 1),
              fmt::format("goes round by {:.0f} deg while the flange turns back by {:.0f} deg",
                          degrees(sweep), degrees(back)),
-             "put via near the middle, or make two passes of it");
+             "put via near the middle, or split the arc into two passes");
     }
   }
 

@@ -44,7 +44,8 @@ ProgramMoves moves_of(const std::vector<ScanRun>& runs, double approach_speed) {
 
 std::string text_of(const std::optional<Eigen::Vector3d>& place) {
   if (!place) return "";
-  return fmt::format(" at {:.3f} {:.3f} {:.3f} m of its base", place->x(), place->y(), place->z());
+  return fmt::format(" at {:.3f} {:.3f} {:.3f} m in its base frame", place->x(), place->y(),
+                     place->z());
 }
 
 /// @throw Refused naming the pass and the place in it
@@ -58,8 +59,8 @@ std::vector<std::string> check_reach(Robot& robot, const std::vector<ScanRun>& r
         "motion: the robot's driver has no service for it"};
   }
   if (check->refusal.empty()) return {};
-  throw Refused(program.names.at(check->possible), "the robot cannot go it" + text_of(check->place),
-                check->refusal);
+  throw Refused(program.names.at(check->possible),
+                "the robot cannot follow it" + text_of(check->place), check->refusal);
 }
 
 /// The names of the passes to which something applies, each once.
@@ -81,9 +82,10 @@ std::vector<std::string> only_tried_by_a_scan(const std::vector<ScanRun>& runs) 
   std::vector<std::string> warnings;
   const auto add = [&](const std::string& what, const std::string& passes) {
     if (passes.empty()) return;
-    warnings.push_back(what + " was not checked (" + passes + "): a scan does, before it moves");
+    warnings.push_back(what + " was not checked (" + passes +
+                       "): a scan checks it, before it moves");
   };
-  add("whether the camera takes the settings of its pass",
+  add("whether the camera accepts the settings of its pass",
       passes_where(runs, [](const ScanRun& run) { return !run.camera.empty(); }));
   add("whether the camera's exposure leaves the lasers time to take turns",
       passes_where(runs, needs_exposure));
@@ -107,7 +109,7 @@ std::string check_arming(Trigger& trigger, const ScanRun& run, double exposure) 
     try {
       return trigger.check(run.rate, lighting);
     } catch (const Refused& refused) {
-      throw Refused(run.name + ": trigger", "cannot be armed so", refused.what());
+      throw Refused(run.name + ": trigger", "arming refused", refused.what());
     }
   });
   if (checked) return "";

@@ -82,7 +82,7 @@ double ScanSequence::try_camera(const ScanRun& run) {
     try {
       start_camera(run.camera);
     } catch (const scan_cell_common::Refused& refused) {
-      throw scan_cell_common::Refused(run.name + ": camera", "cannot be set so", refused.what());
+      throw scan_cell_common::Refused(run.name + ": camera", "settings refused", refused.what());
     }
   });
   exposures_.emplace_back(run.camera, camera_.exposure());

@@ -72,7 +72,7 @@ inline void worsen(SequenceEnd& end, Outcome outcome, const std::string& why) {
   if (end.outcome == Outcome::kFinished) {
     end = {outcome, why};
   } else {
-    end.message += "; besides: " + why;
+    end.message += "; in addition: " + why;
   }
 }
 

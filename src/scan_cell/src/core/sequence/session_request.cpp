@@ -31,7 +31,7 @@ std::vector<int> lasers_in(std::uint8_t mask) {
 }
 
 void check(const SessionRequest& request, const SessionLimits& limits) {
-  if (request.poses.empty()) throw Refused("taught poses", "none", "teach some");
+  if (request.poses.empty()) throw Refused("taught poses", "none", "teach at least one");
   const std::vector<int> lasers = lasers_in(request.lasers);
   if (!lasers.empty() && lasers.back() >= kLasers) {
     throw Refused("lasers", fmt::format("mask {}", request.lasers),

@@ -61,7 +61,7 @@ std::array<double, 6> six_numbers(std::string_view text) {
     const auto value = scan_cell_common::parse_number(field);
     if (!value || !(std::abs(*value) <= kMost)) {
       throw ProtocolError("pose '" + excerpt(text) + "'",
-                          "'" + excerpt(field) + "' is no number within 1000000", kCure);
+                          "'" + excerpt(field) + "' is not a number within 1000000", kCure);
     }
     result[i] = *value;
     rest.remove_prefix(last ? comma : comma + 1);

@@ -27,7 +27,7 @@ LineServer::Options line_options(const VideeServer::Options& options) {
   lines.answer_time = kAnswerTime;
   lines.too_many_clients = "ERROR another client is connected, from {}; try again later";
   lines.too_long =
-      fmt::format("ERROR line too long; send {} bytes at most, with its end", kMaxLine);
+      fmt::format("ERROR line too long; send {} bytes at most, including its end", kMaxLine);
   lines.too_far_ahead = fmt::format(
       "ERROR more than {} bytes ahead of their answers; wait for each answer", kMaxAhead);
   lines.idle =

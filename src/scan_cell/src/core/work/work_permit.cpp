@@ -23,10 +23,10 @@ void check_same(const std::string& what, const std::string& then, const std::str
     throw Refused("report", "it does not say with which " + what + " the part was scanned",
                   "adapt the path in the running cell");
   if (now.empty())
-    throw Refused(what, "the running cell's cannot be read on this machine",
+    throw Refused(what, "the running cell's file cannot be read on this machine",
                   "start this node where the file is");
   if (then != now)
-    throw Refused(what, "another than the part was scanned with", "scan and adapt again");
+    throw Refused(what, "not the one that the part was scanned with", "scan and adapt again");
 }
 
 void check_age(const std::optional<double>& scanned, double max_age, double now) {
@@ -39,7 +39,7 @@ void check_age(const std::optional<double>& scanned, double max_age, double now)
                   "scan and adapt again, or raise max_age");
   constexpr double kClocks = 1;  // [s] by which two machines' clocks may differ
   if (*scanned > now + kClocks)
-    throw Refused("scan", fmt::format("made {:.0f} s from now", *scanned - now),
+    throw Refused("scan", fmt::format("made {:.0f} s in the future", *scanned - now),
                   "set the clocks of the machines, then scan and adapt again");
 }
 
@@ -91,7 +91,7 @@ void check_permit(const tool_path_programs::AcceptedReport& report, const Calibr
   check_age(report.scanned, rules.max_age, now);
   if (dry || !rules.dry_run_first) return;
   if (report.proven_path.empty() || !dry_runs.has(report.proven_path, report.cell))
-    throw Refused("work", "no dry run of this path was finished in this cell yet",
+    throw Refused("work", "no dry run of this path has been finished in this cell yet",
                   "run it dry once: lifted, slow, with the tool off");
 }
 

@@ -41,7 +41,7 @@ scan_calibration::Board board_of(const CalibrateGoal& goal) {
     if (corners < kLeast || corners > kMost) {
       throw Refused("board",
                     fmt::format("{} x {} inner corners", goal.board_columns, goal.board_rows),
-                    fmt::format("give {} to {} each way", kLeast, kMost));
+                    fmt::format("give {} to {} in each direction", kLeast, kMost));
     }
   }
   if (!(goal.square_size > 1e-4 && goal.square_size < 1)) {

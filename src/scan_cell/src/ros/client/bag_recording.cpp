@@ -84,8 +84,8 @@ void BagRecording::finish(const std::string& scan_id) {
   std::unique_lock<std::mutex> lock(mutex_);
   if (!news_.wait_for(lock, kPatience, [&] { return ended_ == scan_id; }))
     throw ConnectionError(BagReplay::Topics().state,
-                          "does not tell the end of scan '" + scan_id + "'",
-                          "look at the node scan_cell");
+                          "did not report the end of scan '" + scan_id + "'",
+                          "check the node scan_cell");
   if (failure_)
     throw scan_cell_common::FileError(file_, *failure_, "check the folder and the disk");
   scan_cell_common::name_bag_in_errors(file_, [&] { bag_.close(); });

@@ -32,7 +32,7 @@ constexpr std::uint32_t kUnboundedQueue = 0;
 std::size_t registered_subscribers(const std::string& topic) {
   XmlRpc::XmlRpcValue request(ros::this_node::getName()), answer, state;
   if (!ros::master::execute("getSystemState", request, answer, state, false)) {
-    throw scan_cell_common::ConnectionError("ROS master", "it does not tell who subscribes",
+    throw scan_cell_common::ConnectionError("ROS master", "does not report the subscribers",
                                             "is roscore running?");
   }
   XmlRpc::XmlRpcValue& subscriptions = state[1];
@@ -52,9 +52,10 @@ void wait_for_subscribers(const ros::Publisher& publisher, double timeout) {
     if (connected > 0 && connected >= registered) return;
     if (!ros::ok() || ros::WallTime::now() > deadline) {
       throw scan_cell_common::ConnectionError(
-          publisher.getTopic(), fmt::format("{} of {} subscribers connect", connected, registered),
+          publisher.getTopic(),
+          fmt::format("{} of {} subscribers connected", connected, registered),
           registered == 0 ? "is pose_frame_binder running?"
-                          : "if one of them has died: rosnode cleanup");
+                          : "if one of them has died, run rosnode cleanup");
     }
     ros::WallDuration(0.02).sleep();
   }

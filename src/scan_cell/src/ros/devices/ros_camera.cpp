@@ -53,9 +53,9 @@ void RosCamera::start(const PassCamera& settings) {
 RosCamera::Settings RosCamera::changed_to(const PassCamera& settings) const {
   Settings changed = *before_;
   if (settings.exposure && changed.exposure <= 0) {
-    throw scan_cell_common::Refused("camera",
-                                    "its exposure is its own, and could not be restored afterwards",
-                                    "start its node with the parameter exposure");
+    throw scan_cell_common::Refused(
+        "camera", "it uses its own exposure, which could not be restored afterwards",
+        "start its node with the parameter exposure");
   }
   changed.exposure = settings.exposure.value_or(changed.exposure);
   if (!settings.detector.empty()) changed.detector = settings.detector;

@@ -56,7 +56,7 @@ std::string RosRobot::unseen() const {
   const double age = transform_.age();
   if (age <= parameters_.unseen_after) return "";
   return fmt::format(
-      "robot: no pose for {:g} s in mid motion; check the controller, its cable and its driver",
+      "robot: no pose for {:g} s during a motion; check the controller, its cable and its driver",
       age);
 }
 
@@ -175,7 +175,7 @@ std::string RosRobot::hindrance() const {
   if (!last_status_.alarm_texts.empty()) return "alarm: " + last_status_.alarm_texts.front();
   if (last_status_.drives_powered == RobotStatus::NO) return "the drives are off";
   if (last_status_.motion_possible == RobotStatus::NO) {
-    return "the controller takes no motion in mode " + last_status_.controller_mode;
+    return "the controller accepts no motion in mode " + last_status_.controller_mode;
   }
   return "";
 }

@@ -37,7 +37,7 @@ void RosSnapshotCamera::prepare() {
   const Settings before =
       set_acquisition(SetAcquisition::Request::STOP, parameters_.call_timeout).settings;
   if (before.exposure <= 0) {
-    throw Refused("camera", "its exposure is its own, and could not be restored afterwards",
+    throw Refused("camera", "it uses its own exposure, which could not be restored afterwards",
                   "start its node with the parameter exposure");
   }
   before_ = before;

@@ -20,9 +20,10 @@ double Parameters::silence_allowed(double rate) const {
 namespace {
 
 void describe_names(ParameterTable& table, Parameters& p) {
-  table.add("base_frame", p.base_frame,
-            "frame the robot's driver takes targets in; goals in other frames are transformed by "
-            "tf");
+  table.add(
+      "base_frame", p.base_frame,
+      "frame in which the robot's driver expects targets; goals in other frames are transformed by "
+      "tf");
   table.add("flange_frame", p.flange_frame, "frame that the robot's driver publishes on `/tf`");
   table.add(
       "robot", p.robot,
@@ -40,44 +41,46 @@ void describe_names(ParameterTable& table, Parameters& p) {
 
 void describe_scan(ParameterTable& table, Parameters& p) {
   table.add("lost_after", p.lost_after, {0.1, 1.0, "s"},
-            "of silence after which a device is lost (five frame periods where that is longer, up "
-            "to 1 s)");
+            "a device counts as lost after this long without a message (five frame periods if that "
+            "is longer, up to 1 s)");
   table.add("unseen_after", p.unseen_after, {0.01, 1.0, "s"},
-            "of silence of the flange's poses (on `/tf`), in mid motion with a laser on, after "
-            "which the lasers go off; 0.5 with `sim:=true`");
+            "in a motion with a laser on, the lasers go off after this long without a pose of the "
+            "flange (on `/tf`); 0.5 with `sim:=true`");
   table.add("call_timeout", p.call_timeout, {0.1, 60, "s"},
             "longest wait for a service (0.75 s for the trigger's, 0.5 s to stop the camera)");
   table.add("max_speed", p.limits.max_speed, {0.001, 1.5, "m/s"}, "fastest scan allowed");
   table.renamed("most_speed", "max_speed");
   table.add("max_rate", p.limits.max_rate, {0.1, 10000, "Hz"},
-            "highest frame rate allowed; below 2 Hz none is");
+            "highest frame rate allowed; the lowest is 2 Hz");
   table.renamed("most_rate", "max_rate");
   table.add("max_length", p.limits.max_length, {0.01, 10, "m"}, "longest pass allowed");
   table.renamed("most_length", "max_length");
-  table.add("approach_speed", p.timing.approach_speed, {0.001, 1.5, "m/s"}, "to the start");
+  table.add("approach_speed", p.timing.approach_speed, {0.001, 1.5, "m/s"}, "speed to the start");
   table.add("stall", p.timing.stall, {0.5, 60, "s"},
-            "without progress, after which a motion has failed");
+            "a motion has failed after this long without progress");
   table.add("patience", p.timing.patience, {0.1, 60, "s"},
-            "for late frames and poses at the end of a scan; begins anew with each that comes");
+            "wait for late frames and poses at the end of a scan; starts again with each one that "
+            "arrives");
 }
 
 void describe_calibration(ParameterTable& table, SessionSequence::Timing& session,
                           scan_calibration::CalibrationLimits& limits) {
   table.add("calibration/speed", session.speed, {0.001, 1.5, "m/s"},
-            "from taught pose to taught pose");
+            "speed from taught pose to taught pose");
   table.add("calibration/settle", session.settle, {0, 60, "s"},
-            "after a motion, before the pose is looked at");
+            "wait after a motion, before the pose is read");
   table.add("calibration/still_position", session.still_position, {1e-6, 0.01, "m"},
-            "two measured poses no further apart are the same");
+            "two measured poses that differ by no more than this count as the same");
   table.add("calibration/still_angle", session.still_angle, {1e-6, 0.1, "rad"}, "the same");
   table.add("calibration/still_patience", session.still_patience, {0.1, 60, "s"},
-            "for the robot to come to rest");
+            "longest wait for the robot to come to rest");
   table.add("calibration/rate", session.rate, {2, 100, "Hz"},
             "of the pulses while images are taken; less with exposures above 50 ms");
-  table.add("calibration/image_patience", session.image_patience, {0.1, 60, "s"}, "for one image");
+  table.add("calibration/image_patience", session.image_patience, {0.1, 60, "s"},
+            "longest wait for one image");
   const auto limit = [&table](const std::string& name, double& value, const char* unit) {
     table.add("calibration/max_" + name, value, {1e-6, 1e6, unit, Also::kNone},
-              "what a calibration must reach on held-out views for its model to be written");
+              "limit that a calibration must meet on held-out views for its model to be written");
     table.renamed("calibration/most_" + name, "calibration/max_" + name);
   };
   limit("reprojection_rms_px", limits.reprojection_rms_px, "px");

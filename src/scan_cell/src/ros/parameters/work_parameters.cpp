@@ -17,10 +17,12 @@ void describe(scan_cell_common::ParameterTable& table, WorkParameters& parameter
             "of the scan that the path was adapted to");
   table.add("dry_run_first", parameters.rules.dry_run_first,
             "a proven path has to be run dry once in this cell before its first real run");
-  table.add("dry_runs", parameters.dry_runs,
-            "file with the dry runs that were finished; without a folder it is in ROS's own");
+  table.add(
+      "dry_runs", parameters.dry_runs,
+      "file of the finished dry runs; without a folder in its name it is in ROS's own folder");
   table.add("lift", parameters.dry_run.lift, {0.001, 1, "m"}, "of a dry run, along the tool");
-  table.add("dry_speed", parameters.dry_run.speed, {0.01, 1}, "of a dry run, share of the path's");
+  table.add("dry_speed", parameters.dry_run.speed, {0.01, 1},
+            "speed of a dry run, as a share of the path's");
   tool_path_programs::describe(table, parameters.process);
 }
 

@@ -21,7 +21,7 @@ bool RecordPose::serve(scan_cell_msgs::RecordPose::Request& request,
   return scan_cell_common::answer(response, [&] {
     if (!std::filesystem::path(request.file).is_absolute()) {
       throw scan_cell_common::Refused("file", "'" + request.file + "'",
-                                      "give an absolute path: the cell has a folder of its own");
+                                      "give an absolute path: the cell runs in its own folder");
     }
     const Eigen::Isometry3d flange = robot_.static_pose();
     response.poses =

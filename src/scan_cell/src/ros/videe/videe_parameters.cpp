@@ -22,7 +22,7 @@ void describe(scan_cell_common::ParameterTable& table, VideeCalibrationParameter
   table.add("lasers", parameters.lasers, {0, 3},
             "bit mask: 1 laser_0, 2 laser_1, 3 both in turn, 0 none: the camera alone");
   table.add("scanner", parameters.scanner,
-            "existing scanner model, which gives what is not calibrated anew "
+            "existing scanner model, used for what is not calibrated again "
             "(scan_calibration.md); empty: none");
   table.add("lasers_alone", parameters.lasers_alone,
             "the camera and its pose on the flange are taken from `scanner` too");
@@ -36,17 +36,17 @@ void describe(scan_cell_common::ParameterTable& table, VideeParameters& paramete
   table.add("address", parameters.server.address, "interface to listen on");
   table.add("port", parameters.server.port, {1, 65535}, "TCP port");
   table.add("client", parameters.server.client,
-            "the only address that is answered; others are disconnected without a word; empty: any "
-            "that reaches the port");
+            "the only client address that is answered; others are disconnected without an answer; "
+            "empty: any that reaches the port");
   table.add("idle_time", parameters.server.idle_time, {1, 86400, "s"},
-            "in which a whole command must come");
+            "time in which a whole command must arrive");
   table.require("program", parameters.program,
-                "scan program (YAML) whose frame is used, and speed, rate, laser and camera of its "
-                "first pass");
+                "scan program (YAML): its frame is used, and the speed, rate, laser and camera of "
+                "its first pass");
   table.add("image_folder", parameters.image_folder,
-            "where `GRAB_IMAGE` leaves its pictures; must exist");
+            "folder in which `GRAB_IMAGE` saves its images; must exist");
   table.add("cloud_folder", parameters.cloud_folder,
-            "where `STOP_SCAN` leaves its clouds; must exist");
+            "folder in which `STOP_SCAN` saves its clouds; must exist");
   for (const auto& [name, folder] : {std::pair("image_folder", parameters.image_folder),
                                      std::pair("cloud_folder", parameters.cloud_folder)}) {
     if (!std::filesystem::is_directory(folder))
@@ -60,8 +60,9 @@ void describe(scan_cell_common::ParameterTable& table, VideeParameters& paramete
   table.add("triangulation", parameters.triangulation,
             "node on whose machine the files of large clouds lie");
   table.group("calibration", parameters.calibration);
-  table.add("call_timeout", parameters.call_timeout, {0.1, 60, "s"},
-            "longest wait for an action to take a goal; `GRAB_IMAGE` may take four times as long");
+  table.add(
+      "call_timeout", parameters.call_timeout, {0.1, 60, "s"},
+      "longest wait for an action to accept a goal; `GRAB_IMAGE` may take four times as long");
 }
 
 }  // namespace scan_cell

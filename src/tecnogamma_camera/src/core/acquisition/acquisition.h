@@ -29,7 +29,7 @@ struct AcquisitionParameters {
   Trigger trigger = Trigger::kExternal;           //!< of `mode`
   double retry_period = 1.0;     //!< [s] from a lost camera to the next try, and between tries
   double start_timeout = 5.0;    //!< [s] for the camera to be found and stream
-  double arming_time = 0.2;      //!< [s] after a start in which a camera may miss pulses
+  double arming_time = 0.2;      //!< [s] time after a start in which a camera may miss pulses
   double silence_timeout = 2.0;  //!< [s] without a frame in free run: the camera is lost
   ClockSettings clock;           //!< how device times become host times
 };

@@ -170,16 +170,16 @@ void describe(scan_cell_common::ParameterTable& table, DetectorSettings& setting
   table.choice("choice", settings.choice, choice_names(),
                "which of several spots in a row is the laser's");
   table.add("trigger_level", settings.trigger_level, {kAutomaticLevel, 65535, "grey value"},
-            "of the camera's own pixels, to 4095 in 12 bits: a pixel above it is lit; -1: "
+            "at the camera's own pixel depth (up to 4095 at 12 bits): pixels above it are lit; -1: "
             "automatic, above the noise of the background");
   table.add("permanence", settings.permanence, {1, 64, "px"},
-            "lit pixels in a row that make a rising edge, dark ones a falling edge");
+            "how many consecutive lit pixels make a rising edge, and dark ones a falling edge");
   table.add("window", settings.window, {0, 255, "px"},
-            "most columns of the centre of gravity, but never less than the stripe; 0: as its "
-            "width asks");
+            "largest number of columns for the centre of gravity, but never fewer than the stripe "
+            "has; 0: as its width requires");
   table.add("max_width", settings.max_width, {0, 65535, "px"},
-            "spots wider than this (shiny objects), as `width` tells it, are passed over before "
-            "the choice; 0: any width");
+            "spots whose `width` is greater than this (shiny objects) are ignored before the "
+            "choice; 0: any width");
   table.renamed("most_width", "max_width");
 }
 

@@ -167,7 +167,8 @@ class FolderRecording : public Recording {
   void throw_if_missing() const {
     for (const RecordedFile& file : index_.files)
       if (file.packets_lost == 0 && !fs::is_regular_file(path_of(file)))
-        throw FileError(path_of(file), "no such file", "the folder's index names it");
+        throw FileError(path_of(file), "no such file",
+                        "correct the folder's index, which names it");
   }
 
   void check_place() const {

@@ -20,7 +20,8 @@ using scan_cell_common::interpolate;
 using scan_cell_common::Refused;
 
 constexpr const char* kThreePlaces =
-    "give three positions at least 1 mm apart, and each 0.1 mm beside the line of the others";
+    "give three positions at least 1 mm apart, each at least 0.1 mm off the line through the "
+    "others";
 
 void check_apart(const Isometry3d& pose, const std::string& name, const Isometry3d& other,
                  const std::string& name_of_other) {
@@ -36,7 +37,7 @@ void check_not_in_line(const Vector3d& first, const Vector3d& second) {
   const double longest = std::max({first.norm(), second.norm(), (second - first).norm()});
   const double beside = first.cross(second).norm() / longest;
   if (beside >= kBeside) return;
-  throw Refused("via", fmt::format("in line with start and target to {:g} m", beside),
+  throw Refused("via", fmt::format("only {:g} m off the line from start to target", beside),
                 std::string(kThreePlaces) + ", or go along a line");
 }
 
@@ -49,9 +50,9 @@ void check_turn(const Isometry3d& pose, const std::string& name, const Isometry3
   constexpr double kMost = 179.9 * M_PI / 180;  // [rad] c4g_protocol.md
   const double turn = turn_between(before, pose);
   if (turn <= kMost) return;
-  throw Refused(name + " orientation",
-                fmt::format("{:g} rad from that of {}", turn, name_of_before),
-                "give one that is less than half a turn from it: which way round is open");
+  throw Refused(
+      name + " orientation", fmt::format("{:g} rad from that of {}", turn, name_of_before),
+      "give one less than half a turn from it: otherwise the direction of the turn is ambiguous");
 }
 
 }  // namespace

@@ -47,7 +47,7 @@ class Judge {
     if (line.angle() > kHalfTurn) {
       findings_.add(place, {Kind::kHalfTurn, 1, "orientation"}, [&] {
         return Said(fmt::format("{:g} rad from that of the waypoint before", line.angle()),
-                    "give a waypoint between: which way round is open");
+                    "add a waypoint between: otherwise the direction of the turn is ambiguous");
       });
     }
     speeds_.enter(place, line);
@@ -89,7 +89,7 @@ class Judge {
       });
     } else {
       findings_.add(place, {Kind::kPosture, 1}, [&] {
-        return Said("within reach in another posture of the robot only",
+        return Said("within reach only in another posture of the robot",
                     "move the part, turn or tilt the tool, or divide the path here");
       });
     }
@@ -134,10 +134,11 @@ class Judge {
       if (margin < least.margin) least = {margin, place.waypoint};
       if (margin >= kept - kBeyondLimit) continue;
       findings_.add(place, {Kind::kJointRange, kept - margin, joint_name(joint), joint}, [&] {
-        return Said(fmt::format("{:g} rad", place.joints[joint]),
-                    fmt::format("its range is {}, of which {:g} rad are kept free: turn or tilt "
-                                "the tool, or move the part",
-                                range(lower, upper, " rad"), kept));
+        return Said(
+            fmt::format("{:g} rad", place.joints[joint]),
+            fmt::format("its range is {}, with {:g} rad kept free at each end: turn or tilt "
+                        "the tool, or move the part",
+                        range(lower, upper, " rad"), kept));
       });
     }
   }
@@ -148,9 +149,8 @@ class Judge {
       const bool known = std::isfinite(collision.depth);
       const std::string what = collision.moving + " and " + collision.standing;
       findings_.add(place, {Kind::kCollision, known ? collision.depth : 0, what}, [&] {
-        return Said(known ? fmt::format("run into each other by {:g} m", collision.depth)
-                          : "run into each other",
-                    "turn or tilt the tool there, or move the part; or put right the shapes");
+        return Said(known ? fmt::format("collide by {:g} m", collision.depth) : "collide",
+                    "turn or tilt the tool there, or move the part; or correct the shapes");
       });
     }
   }

@@ -8,9 +8,9 @@ namespace c4g_driver {
 
 void describe(scan_cell_common::ParameterTable& table, ToolCheckParameters& parameters) {
   table.add("joint_margin", parameters.joint_margin, {0, 1, "rad"},
-            "that each joint keeps from the ends of its range");
+            "distance that each joint keeps from the ends of its range");
   table.add("free_about_z", parameters.free_about_z,
-            "the tool may turn about its z as the robot likes it, as in sanding or spraying");
+            "the tool may turn freely about its z axis, as in sanding or spraying");
   table.add("rotational_speed", parameters.rotational_speed, {1e-3, 10, "rad/s"},
             "of the tool, where it turns more than it moves");
 }
