@@ -37,7 +37,7 @@ Eigen::Isometry3d from_kdl(const KDL::Frame& frame) {
 LinkPoses::LinkPoses(const std::string& urdf) {
   if (!kdl_parser::treeFromString(urdf, tree_))
     throw scan_cell_common::UnusableInput("robot_description", "not a URDF",
-                                          "give a URDF that check_urdf takes");
+                                          "give a URDF that check_urdf accepts");
 }
 
 std::map<std::string, Eigen::Isometry3d> LinkPoses::at(

@@ -21,7 +21,7 @@ Sign sign_of(const RobotStatus& robot) {
   if (!robot.alarm_texts.empty()) return {Level::kBad, "alarm: " + robot.alarm_texts.front()};
   if (robot.drives_powered == RobotStatus::NO) return {Level::kNotice, "drives are off"};
   if (robot.motion_possible == RobotStatus::NO)
-    return {Level::kNotice, "takes no motion: mode " + robot.controller_mode};
+    return {Level::kNotice, "accepts no motion: mode " + robot.controller_mode};
   return {Level::kGood, robot.in_motion == RobotStatus::YES ? "moving" : "ready"};
 }
 

@@ -24,7 +24,7 @@ TEST(Signs, OfTheRobotTellTheWorstFirst) {
   EXPECT_EQ(sign_of(robot).text, "moving");
   robot.motion_possible = RobotStatus::NO;
   robot.controller_mode = "programming";
-  EXPECT_EQ(sign_of(robot), (Sign{Level::kNotice, "takes no motion: mode programming"}));
+  EXPECT_EQ(sign_of(robot), (Sign{Level::kNotice, "accepts no motion: mode programming"}));
   robot.drives_powered = RobotStatus::NO;
   EXPECT_EQ(sign_of(robot).text, "drives are off");
   robot.alarm_texts = {"axis 3: following error", "other"};
