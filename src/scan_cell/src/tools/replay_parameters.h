@@ -25,12 +25,12 @@ inline void describe(scan_cell_common::ParameterTable& table, ReplayParameters& 
   table.require("bag", parameters.bag, "recorded bag");
   table.add(
       "scan_id", parameters.scan_id,
-      "which scan of the bag; none: the last whole one. One that ended early is replayed only "
+      "which scan of the bag; none: the last complete one. One that ended early is replayed only "
       "if it is named");
   table.require("reference", parameters.files.reference, "clean cloud of the reference");
   table.require("path", parameters.files.path, "tool path on it");
   table.require("output", parameters.files.output, "folder for the results");
-  table.add("speed", parameters.speed, {0.01, 1000}, "times real time");
+  table.add("speed", parameters.speed, {0.01, 1000}, "playback rate, as a multiple of real time");
   table.add("timeout", parameters.timeout, {1, 3600, "s"},
             "longest wait for a node, a cloud or the stretcher");
   table.add("patience", parameters.patience, {0.1, 600, "s"}, "longest wait for data that is late");
