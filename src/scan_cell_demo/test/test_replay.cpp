@@ -150,7 +150,8 @@ TEST_F(Replay, PlaysNothingBeforeAllWhoSubscribedAreConnected) {
   };
   EXPECT_EQ(try_it(), 1);
   const std::string complaint = bytes_of(path("stderr"));
-  EXPECT_NE(complaint.find("/laser_trigger/events: 2 of 3 subscribers connect"), std::string::npos)
+  EXPECT_NE(complaint.find("/laser_trigger/events: 2 of 3 subscribers connected"),
+            std::string::npos)
       << complaint;
   XmlRpc::XmlRpcValue unregister;
   unregister[0] = late[0];

@@ -101,6 +101,8 @@ TEST(Arc, IsNoneByNameWhereThreePlacesHaveNoCircle) {
   for (const double y : {0.05, -0.05, 0.15}) {
     const std::string said = refusal(from, looking_down(0.8 + 0.5e-4, y, 0.6), to);
     EXPECT_EQ(said.find("via: only "), 0u) << y << said;
+    EXPECT_NE(said.find(" m off the line from start to target; give three"), std::string::npos)
+        << said;
     EXPECT_NE(said.find("or go along a line"), std::string::npos) << said;
   }
   EXPECT_EQ(refusal(from, looking_down(0.8 + 1.1e-4, 0.05, 0.6), to), "");

@@ -16,14 +16,14 @@ namespace pass_planner {
 
 /// Parameters of plan_passes(). docs/pass_planner.md describes them.
 struct PlanParameters {
-  int max_passes = 20;       //!< most passes that may be proposed
+  int max_passes = 20;       //!< largest number of passes to propose
   double good_angle = 1.05;  //!< [rad] of light and sight to the normal, of a planned pass
   double margin = 0.02;      //!< [m] by which a pass goes beyond the outermost waypoints
   double clearance = 0.1;    //!< [m] of flange, camera and lasers from part and floor
   double floor_height = 0;   //!< [m] z of the floor in world
   double stand_off = 0;      //!< [m] of the camera; 0: where the light crosses its axis
   double speed = 0.06;       //!< [m/s] of the passes
-  double rate = 100;         //!< [Hz] frames a laser
+  double rate = 100;         //!< [Hz] frames per second of each laser
 };
 
 /// Describes each parameter: range, unit and meaning.

@@ -22,12 +22,12 @@ struct SightParameters {
   double max_light_angle = 1.22;
   /// [rad] between the surface's normal and the camera's sight
   double max_sight_angle = 1.4;
-  double min_range = 0.05;  //!< [m] along the camera's axis, as laser_triangulation has it
+  double min_range = 0.05;  //!< [m] along the camera's axis, as in laser_triangulation
   double max_range = 5;     //!< [m]
-  int region_x = 0;         //!< [px] of the image, as the camera's node has them
+  int region_x = 0;         //!< [px] of the image, as in the camera's node
   int region_y = 0;         //!< [px]
-  int region_width = 0;     //!< [px] 0: to the sensor's right end
-  int region_height = 0;    //!< [px] 0: to the sensor's bottom
+  int region_width = 0;     //!< [px] 0: to the sensor's right edge
+  int region_height = 0;    //!< [px] 0: to the sensor's bottom edge
 };
 
 /// Describes each parameter: range, unit and meaning. Refuses a min_range above max_range.

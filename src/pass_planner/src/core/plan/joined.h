@@ -8,9 +8,9 @@
 
 namespace pass_planner {
 
-/// One poly-line through lines, each starting from the end that is nearer to the line before.
+/// One polyline through lines, each starting from the end that is nearer to the line before.
 /// Between lines the flange moves straight, and the camera is still pulsed.
-/// @param lines at least one; if their lasers differ, the poly-line has both in turns
+/// @param lines at least one; if their lasers differ, the polyline has both in turns
 /// @param rate [Hz] frames a laser
 scan_cell::ScanPass joined(std::vector<scan_cell::ScanPass> lines, double rate);
 
