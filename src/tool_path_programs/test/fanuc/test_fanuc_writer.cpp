@@ -138,7 +138,7 @@ TEST(FanucWriter, NamesAndFramesThatWouldNotDoAreRefused) {
   program.name = "17";
   EXPECT_TRUE(has(fault_of(program), "name it P17, for example"));
   program.name = std::string(200, 'X');
-  EXPECT_TRUE(has(fault_of(program), "at most 31 letters"));
+  EXPECT_TRUE(has(fault_of(program), "at most 31 ASCII letters"));
   program.name = "PART";
   program.frames[0].tool.name = "";
   EXPECT_TRUE(has(fault_of(program), "FANUC TP, tool: no number"));
