@@ -345,7 +345,7 @@ TEST_F(ScanClient, RecordsThePoseInWhichTheRobotStands) {
   EXPECT_EQ(taught.poses.at(0).translation().x(), 0.25);
   EXPECT_EQ(taught.poses.at(1).translation().x(), 0.75);
 
-  EXPECT_NE(record(file).message.find("again"), std::string::npos) << "the same pose";
+  EXPECT_NE(record(file).message.find("repeats the pose"), std::string::npos) << "the same pose";
   EXPECT_NE(record("poses.csv").message.find("absolute path"), std::string::npos);
   ros::param::set("/fake/moves", "yes");
   EXPECT_NE(record(file).message.find("moving"), std::string::npos);
