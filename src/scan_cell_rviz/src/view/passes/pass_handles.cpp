@@ -117,7 +117,7 @@ PassHandles::PassHandles(PassSession& session)
       topic_(ros::this_node::getName() + "/passes"),
       handles_(ros::this_node::getName() + "/pass_poses"),
       passes_(node_.advertise<MarkerArray>(topic_, 1, true)),
-      server_(std::make_unique<interactive_markers::InteractiveMarkerServer>(handles_)) {
+      server_(handles_) {
   connect(&session_, &PassSession::changed, this, &PassHandles::draw);
   connect(&session_, &PassSession::reachChanged, this, &PassHandles::draw);
   connect(&session_, &PassSession::changed, this, &PassHandles::draw_handles);
@@ -136,7 +136,7 @@ void PassHandles::draw() {
 
 void PassHandles::draw_handles() {
   constexpr float kAcross = 0.12F;  // [m] chosen
-  server_->clear();
+  server_.clear();
   const auto& chosen = session_.selected();
   if (shown_ && chosen) {
     const ScanPass& pass = session_.passes()[chosen->pass];
@@ -148,12 +148,12 @@ void PassHandles::draw_handles() {
       marker.pose = pass.poses[i];
       marker.scale = kAcross;
       add_arrows_and_rings(marker);
-      server_->insert(marker, [this, pass = chosen->pass, i](const Feedback& feedback) {
+      server_.insert(marker, [this, pass = chosen->pass, i](const Feedback& feedback) {
         on_feedback(pass, i, feedback);
       });
     }
   }
-  server_->applyChanges();
+  server_.apply();
 }
 
 void PassHandles::on_feedback(std::size_t pass, std::size_t pose, const Feedback& feedback) {

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <interactive_markers/interactive_marker_server.h>
 #include <ros/ros.h>
 #include <visualization_msgs/MarkerArray.h>
 
@@ -11,6 +10,7 @@
 #include <string>
 
 #include "passes/pass_session.h"
+#include "view/handle_server.h"
 
 namespace scan_cell_rviz {
 
@@ -42,7 +42,7 @@ class PassHandles : public QObject {
   bool shown_ = false;
   ros::NodeHandle node_;
   ros::Publisher passes_;
-  std::unique_ptr<interactive_markers::InteractiveMarkerServer> server_;
+  HandleServer server_;
 };
 
 }  // namespace scan_cell_rviz

@@ -16,9 +16,7 @@ using visualization_msgs::InteractiveMarker;
 using visualization_msgs::InteractiveMarkerFeedback;
 
 WaypointHandles::WaypointHandles(PathSession& session)
-    : session_(session),
-      topic_(ros::this_node::getName() + "/waypoint"),
-      server_(std::make_unique<interactive_markers::InteractiveMarkerServer>(topic_)) {
+    : session_(session), topic_(ros::this_node::getName() + "/waypoint"), server_(topic_) {
   connect(&session_, &PathSession::changed, this, &WaypointHandles::draw);
   connect(&session_, &PathSession::selectionChanged, this, &WaypointHandles::draw);
 }
@@ -30,7 +28,7 @@ void WaypointHandles::show() {
 
 void WaypointHandles::draw() {
   if (!shown_) return;
-  server_->clear();
+  server_.clear();
   if (const auto& chosen = session_.selected()) {
     constexpr float kAcross = 0.06F;  // [m] chosen
     InteractiveMarker marker;
@@ -39,9 +37,9 @@ void WaypointHandles::draw() {
     marker.pose = scan_cell_common::to_ros_pose(session_.waypoints()[chosen->last].pose);
     marker.scale = kAcross;
     add_arrows_and_rings(marker);
-    server_->insert(marker, [this](const Feedback& feedback) { on_feedback(feedback); });
+    server_.insert(marker, [this](const Feedback& feedback) { on_feedback(feedback); });
   }
-  server_->applyChanges();
+  server_.apply();
 }
 
 void WaypointHandles::on_feedback(const Feedback& feedback) {

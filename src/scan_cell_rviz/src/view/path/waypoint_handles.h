@@ -2,12 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <interactive_markers/interactive_marker_server.h>
-
 #include <QObject>
 #include <memory>
 
 #include "path/path_session.h"
+#include "view/handle_server.h"
 
 namespace scan_cell_rviz {
 
@@ -33,7 +32,7 @@ class WaypointHandles : public QObject {
   PathSession& session_;
   const std::string topic_;
   bool shown_ = false;
-  std::unique_ptr<interactive_markers::InteractiveMarkerServer> server_;
+  HandleServer server_;
 };
 
 }  // namespace scan_cell_rviz

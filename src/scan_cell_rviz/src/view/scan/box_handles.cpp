@@ -73,9 +73,7 @@ InteractiveMarker handle_of(const BoxShape& box, int face) {
 }  // namespace
 
 BoxHandles::BoxHandles(EditSession& session)
-    : session_(session),
-      topic_(ros::this_node::getName() + "/box"),
-      server_(std::make_unique<interactive_markers::InteractiveMarkerServer>(topic_)) {
+    : session_(session), topic_(ros::this_node::getName() + "/box"), server_(topic_) {
   connect(&session_, &EditSession::changed, this, [this] {
     const EditedViewPtr view = session_.view();
     if (shown() && (!view || view->frame != frame_)) hide();
@@ -92,8 +90,8 @@ void BoxHandles::show() {
 
 void BoxHandles::hide() {
   frame_.clear();
-  server_->clear();
-  server_->applyChanges();
+  server_.clear();
+  server_.apply();
 }
 
 void BoxHandles::apply() {
@@ -103,13 +101,13 @@ void BoxHandles::apply() {
 void BoxHandles::draw() {
   InteractiveMarker body = body_of(box_);
   body.header.frame_id = frame_;
-  server_->insert(body, [this](const Feedback& feedback) { on_box(feedback); });
+  server_.insert(body, [this](const Feedback& feedback) { on_box(feedback); });
   for (int face = 0; face < kFaces; ++face) {
     InteractiveMarker handle = handle_of(box_, face);
     handle.header.frame_id = frame_;
-    server_->insert(handle, [this, face](const Feedback& feedback) { on_face(face, feedback); });
+    server_.insert(handle, [this, face](const Feedback& feedback) { on_face(face, feedback); });
   }
-  server_->applyChanges();
+  server_.apply();
 }
 
 void BoxHandles::on_box(const Feedback& feedback) {

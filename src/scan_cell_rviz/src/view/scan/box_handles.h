@@ -2,12 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <interactive_markers/interactive_marker_server.h>
-
 #include <QObject>
 #include <memory>
 
 #include "edit/edit_session.h"
+#include "view/handle_server.h"
 
 namespace scan_cell_rviz {
 
@@ -39,7 +38,7 @@ class BoxHandles : public QObject {
   const std::string topic_;
   std::string frame_;  // of the scan; empty: no box is shown
   cloud_preprocess::BoxShape box_;
-  std::unique_ptr<interactive_markers::InteractiveMarkerServer> server_;
+  HandleServer server_;
 };
 
 }  // namespace scan_cell_rviz
