@@ -15,7 +15,7 @@ trap 'rm -f "$figures"' EXIT
     echo
     echo "## $bench"
     echo
-    "devel/lib/tool_path_stretcher/$bench" 2>/dev/null
+    "devel/lib/tool_path_stretcher/$bench"
   done
 } | tee "$figures"
 cp "$figures" "$page"

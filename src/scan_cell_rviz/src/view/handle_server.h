@@ -6,6 +6,7 @@
 
 #include <memory>
 #include <string>
+#include <utility>
 
 namespace scan_cell_rviz {
 
@@ -17,6 +18,8 @@ class HandleServer {
 
   /// @param topic its namespace
   explicit HandleServer(std::string topic) : topic_(std::move(topic)) {}
+
+  const std::string& topic() const { return topic_; }
 
   void clear();
   void insert(const visualization_msgs::InteractiveMarker& marker, const Taken& taken);

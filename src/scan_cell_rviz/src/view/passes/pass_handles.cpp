@@ -115,9 +115,8 @@ MarkerArray pass_markers(const PassSession& session) {
 PassHandles::PassHandles(PassSession& session)
     : session_(session),
       topic_(ros::this_node::getName() + "/passes"),
-      handles_(ros::this_node::getName() + "/pass_poses"),
       passes_(node_.advertise<MarkerArray>(topic_, 1, true)),
-      server_(handles_) {
+      server_(ros::this_node::getName() + "/pass_poses") {
   connect(&session_, &PassSession::changed, this, &PassHandles::draw);
   connect(&session_, &PassSession::reachChanged, this, &PassHandles::draw);
   connect(&session_, &PassSession::changed, this, &PassHandles::draw_handles);

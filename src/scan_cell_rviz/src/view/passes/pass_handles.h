@@ -27,8 +27,8 @@ class PassHandles : public QObject {
   explicit PassHandles(PassSession& session);
 
   void show(bool shown);
-  const std::string& topic() const { return topic_; }      ///< of the markers
-  const std::string& handles() const { return handles_; }  ///< of the interactive markers
+  const std::string& topic() const { return topic_; }             ///< of the markers
+  const std::string& handles() const { return server_.topic(); }  ///< of the interactive markers
 
  private:
   using Feedback = visualization_msgs::InteractiveMarkerFeedbackConstPtr;
@@ -38,7 +38,7 @@ class PassHandles : public QObject {
   void on_feedback(std::size_t pass, std::size_t pose, const Feedback& feedback);
 
   PassSession& session_;
-  const std::string topic_, handles_;
+  const std::string topic_;
   bool shown_ = false;
   ros::NodeHandle node_;
   ros::Publisher passes_;

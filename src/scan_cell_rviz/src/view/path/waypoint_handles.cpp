@@ -16,7 +16,7 @@ using visualization_msgs::InteractiveMarker;
 using visualization_msgs::InteractiveMarkerFeedback;
 
 WaypointHandles::WaypointHandles(PathSession& session)
-    : session_(session), topic_(ros::this_node::getName() + "/waypoint"), server_(topic_) {
+    : session_(session), server_(ros::this_node::getName() + "/waypoint") {
   connect(&session_, &PathSession::changed, this, &WaypointHandles::draw);
   connect(&session_, &PathSession::selectionChanged, this, &WaypointHandles::draw);
 }

@@ -20,7 +20,7 @@ class WaypointHandles : public QObject {
 
   /// Shows them from now on whenever a waypoint is chosen.
   void show();
-  const std::string& topic() const { return topic_; }  //!< of the interactive markers
+  const std::string& topic() const { return server_.topic(); }  //!< of the interactive markers
 
  private:
   using Feedback = visualization_msgs::InteractiveMarkerFeedbackConstPtr;
@@ -30,7 +30,6 @@ class WaypointHandles : public QObject {
   void take(const Feedback& feedback);
 
   PathSession& session_;
-  const std::string topic_;
   bool shown_ = false;
   HandleServer server_;
 };

@@ -73,7 +73,7 @@ InteractiveMarker handle_of(const BoxShape& box, int face) {
 }  // namespace
 
 BoxHandles::BoxHandles(EditSession& session)
-    : session_(session), topic_(ros::this_node::getName() + "/box"), server_(topic_) {
+    : session_(session), server_(ros::this_node::getName() + "/box") {
   connect(&session_, &EditSession::changed, this, [this] {
     const EditedViewPtr view = session_.view();
     if (shown() && (!view || view->frame != frame_)) hide();

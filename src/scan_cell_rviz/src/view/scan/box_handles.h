@@ -22,7 +22,7 @@ class BoxHandles : public QObject {
   void show();
   void hide();
   bool shown() const { return !frame_.empty(); }
-  const std::string& topic() const { return topic_; }  //!< of the interactive markers
+  const std::string& topic() const { return server_.topic(); }  //!< of the interactive markers
 
   /// Deletes the points in the box, or all others, as set on the page.
   void apply();
@@ -35,7 +35,6 @@ class BoxHandles : public QObject {
   void on_face(int face, const Feedback& feedback);
 
   EditSession& session_;
-  const std::string topic_;
   std::string frame_;  // of the scan; empty: no box is shown
   cloud_preprocess::BoxShape box_;
   HandleServer server_;
