@@ -92,7 +92,8 @@ std::vector<bool> points_in(const Cloud& cloud, const ClusterShape& cluster) {
     nearest = static_cast<KdTree::Index>(i);
   }
   if (cloud.empty() || least > cluster.gap * cluster.gap) return in;
-  cluster_of(cloud, KdTree(cloud), cluster.gap, nearest, in);
+  for (const KdTree::Index i : cluster_of(cloud, cluster.gap, nearest))
+    in[i] = true;
   return in;
 }
 

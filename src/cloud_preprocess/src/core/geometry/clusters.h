@@ -8,12 +8,14 @@
 
 namespace cloud_preprocess {
 
-/// Points that can be reached from one point by steps of at most `gap` [m], that point first.
-/// @param seen one per point; points already seen are left out, and those found are marked as seen
-std::vector<KdTree::Index> cluster_of(const scan_cell_common::Cloud& points, const KdTree& tree,
-                                      double gap, KdTree::Index start, std::vector<bool>& seen);
+/// Points that can be reached from one point by steps shorter than `gap` [m], with that point.
+/// @throw scan_cell_common::UnusableInput if a coordinate is not finite
+std::vector<KdTree::Index> cluster_of(const scan_cell_common::Cloud& points, double gap,
+                                      KdTree::Index start);
 
-/// Clusters of points connected by steps of at most `gap` [m].
+/// Clusters of points connected by steps shorter than `gap` [m], each in the order of its points,
+/// and ordered by their first points.
+/// @throw scan_cell_common::UnusableInput if a coordinate is not finite
 std::vector<std::vector<KdTree::Index>> clusters(const scan_cell_common::Cloud& points, double gap);
 
 }  // namespace cloud_preprocess
