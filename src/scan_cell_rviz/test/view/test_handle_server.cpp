@@ -1,9 +1,9 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "view/handle_server.h"
-
 #include <gtest/gtest.h>
 #include <ros/ros.h>
+
+#include "view/handle_server.h"
 
 namespace scan_cell_rviz {
 namespace {
