@@ -36,7 +36,8 @@ void clear_results(const AdaptationFiles& files) {
   const fs::path output(files.output);
   std::error_code failure;
   fs::create_directories(output, failure);
-  if (failure) throw FileError(files.output, failure.message(), "give a folder of yours");
+  if (failure)
+    throw FileError(files.output, failure.message(), "choose a folder that you may write to");
   for (const std::string& name : result_names())
     scan_cell_common::refuse_overwriting(output / name, {files.reference, files.path});
   for (const std::string& name : result_names())

@@ -6,7 +6,6 @@
 
 #include <Eigen/Cholesky>
 #include <cmath>
-#include <utility>
 
 #include "geometry/points.h"
 #include "uncertainty/slack.h"
@@ -34,13 +33,15 @@ NormalEquations measurements(const Mapping& mapping, const GraphObservations& se
 
 }  // namespace
 
-std::optional<Eigen::MatrixXd> posterior_covariance(const Eigen::MatrixXd& information) {
+Eigen::MatrixXd posterior_covariance(const Eigen::MatrixXd& information) {
   const Eigen::LLT<Eigen::MatrixXd> factor(information);
-  if (factor.info() != Eigen::Success) return std::nullopt;
-  Eigen::MatrixXd covariance =
-      factor.solve(Eigen::MatrixXd::Identity(information.rows(), information.cols()));
-  if (!covariance.allFinite()) return std::nullopt;
-  return covariance;
+  if (factor.info() == Eigen::Success) {
+    Eigen::MatrixXd covariance =
+        factor.solve(Eigen::MatrixXd::Identity(information.rows(), information.cols()));
+    if (covariance.allFinite()) return covariance;
+  }
+  throw UnheldMapping(
+      fmt::format("the equations of the mapping's {} unknowns are singular", information.rows()));
 }
 
 MappingError::MappingError(const SurfacePair& surfaces, const Mapping& mapping, const Prior& prior)
@@ -77,12 +78,7 @@ MappingError::MappingError(const SurfacePair& surfaces, const Mapping& mapping, 
                        mapping_.graph.links().size());
   const NormalEquations assumed = assumed_.equations();
   const NormalEquations measured = measurements(mapping_, seen, share, centre_);
-  const Eigen::MatrixXd all = assumed.matrix + measured.matrix;
-  std::optional<Eigen::MatrixXd> covariance = posterior_covariance(all);
-  if (!covariance)
-    throw UnheldMapping(
-        fmt::format("the equations of the mapping's {} unknowns are singular", all.rows()));
-  covariance_ = std::move(*covariance);
+  covariance_ = posterior_covariance(assumed.matrix + measured.matrix);
   pull_ = covariance_ * (assumed.right_side + measured.right_side);
   common_ = kCommon * mapping.similarity.scale * seen.normal_deviation;
 }

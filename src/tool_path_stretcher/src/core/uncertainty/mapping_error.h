@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <optional>
 #include <stdexcept>
 
 #include "mapping/graph_equations.h"
@@ -12,14 +11,14 @@
 
 namespace tool_path_stretcher {
 
-/// The inverse of the information from observations and assumptions; none if they leave an unknown
-/// free.
-std::optional<Eigen::MatrixXd> posterior_covariance(const Eigen::MatrixXd& information);
-
 /// Thrown if the error of a mapping cannot be determined.
 struct UnheldMapping : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
+
+/// The inverse of the information from observations and assumptions.
+/// @throws UnheldMapping if they leave an unknown free
+Eigen::MatrixXd posterior_covariance(const Eigen::MatrixXd& information);
 
 /// The error of a mapping at any point. It is the posterior covariance of a graph that the scan's
 /// points and rims constrain, and that strains no more than the part was seen to, plus the distance
