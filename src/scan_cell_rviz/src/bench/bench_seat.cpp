@@ -1,12 +1,16 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
 // Measures how long the seat's window does not respond, act by act, with a scan of a million points
-// in an rviz view; with its own ROS master and virtual screen, so without a graphics card.
+// in an rviz view as the cell's settings have it; with its own ROS master and virtual screen, so
+// without a graphics card.
 #include <fmt/format.h>
 #include <ros/ros.h>
+#include <rviz/config.h>
 #include <rviz/display.h>
+#include <rviz/display_group.h>
 #include <rviz/tool.h>
 #include <rviz/tool_manager.h>
+#include <rviz/yaml_config_reader.h>
 #include <tf2_ros/static_transform_broadcaster.h>
 
 #include <CLI/CLI.hpp>
@@ -53,6 +57,18 @@ std::shared_ptr<cloud_preprocess::Cloud> made_scan(std::size_t points) {
   return cloud;
 }
 
+/// Pictures per second in the cell's settings.
+int picture_rate() {
+  rviz::Config settings;
+  rviz::YamlConfigReader().readFile(settings, RVIZ_SETTINGS);
+  int rate = 0;
+  if (!settings.mapGetChild("Visualization Manager")
+           .mapGetChild("Global Options")
+           .mapGetInt("Frame Rate", &rate))
+    throw scan_cell_common::FileError(RVIZ_SETTINGS, "has no Frame Rate", "set it with rviz");
+  return rate;
+}
+
 class Workplace {
  public:
   explicit Workplace(std::size_t points) : scan_(made_scan(points)) {
@@ -61,6 +77,10 @@ class Workplace {
     world.child_frame_id = "base_link";
     world.transform.rotation.w = 1;
     frames_.sendTransform(world);
+    view_.manager.getRootDisplayGroup()
+        ->subProp("Global Options")
+        ->subProp("Frame Rate")
+        ->setValue(picture_rate());
     view_.manager.getViewManager()->getCurrent()->subProp("Scale")->setValue(kScale);
     display_ = dynamic_cast<EditDisplay*>(
         view_.manager.createDisplay("scan_cell_rviz/EditedScan", "scan", true));
