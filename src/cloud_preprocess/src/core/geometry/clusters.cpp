@@ -15,7 +15,7 @@ using scan_cell_common::Cloud;
 using scan_cell_common::GridEntry;
 using Index = KdTree::Index;
 
-/// The points closer to each other than the gap that are sorted into one cell.
+/// Points in one cell of the grid, all closer to each other than the gap.
 struct Cell {
   std::size_t begin, end;  // of its entries
   Eigen::AlignedBox3f box;
