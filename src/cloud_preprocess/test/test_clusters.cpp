@@ -85,6 +85,19 @@ TEST(Clusters, EndWhereAStepIsLongerThanTheGap) {
   }
 }
 
+/// Between two cells that are full from corner to corner, their middles nearly two gaps apart.
+TEST(Clusters, ConnectTheCornersOfFullCells) {
+  constexpr double kGap = 3e-3;  // [m]
+  const double cell = 0.9999 * kGap / std::sqrt(3.0);
+  constexpr double kIn = 2e-8;  // [m] inside its border
+  Cloud cloud;
+  for (const double along : {kIn, cell - kIn, 2 * cell + kIn, 3 * cell - kIn}) {
+    const auto place = static_cast<float>(along);
+    cloud.push_back({place, place, place});
+  }
+  EXPECT_EQ(clusters(cloud, kGap).size(), 1u);
+}
+
 TEST(Clusters, OfFarPointsWithASmallGapAreFound) {
   Cloud cloud;
   cloud.push_back({1e4F, 0, 0});

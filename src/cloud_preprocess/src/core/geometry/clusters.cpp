@@ -83,8 +83,8 @@ class LinkedCells {
       const Cell& cell = cells_[cells[next]];
       for (std::size_t i = cell.begin; i < cell.end; ++i)
         cluster.push_back(entries_[i].point);
-      // Two half diagonals and the gap between them.
-      tree_.within(middles_[cells[next]].data, 4 * squared_gap_, near);
+      constexpr float kReach = 4.5F;  // square of two half diagonals and a gap; .5 for the rounding
+      tree_.within(middles_[cells[next]].data, kReach * squared_gap_, near);
       for (const auto& [other, squared] : near) {
         if (taken_[other] || !are_linked(cell, cells_[other])) continue;
         taken_[other] = true;
