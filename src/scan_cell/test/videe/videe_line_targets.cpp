@@ -33,7 +33,9 @@ void read_line(const std::string& line) {
   using Kind = scan_cell::VideeCommandKind;
   try {
     const scan_cell::VideeCommand command = scan_cell::parse_videe(line);
-    promise(command.poses.size() == (command.kind == Kind::kSetPosition ? 2U : 0U), "poses");
+    const std::size_t poses = command.poses.size();
+    const bool positions = command.kind == Kind::kSetPosition;
+    promise(positions ? poses > 0 && poses % 2 == 0 : poses == 0, "start and end of each pass");
     for (const Eigen::Isometry3d& pose : command.poses)
       check_pose(pose);
   } catch (const Error& error) {
@@ -54,6 +56,8 @@ std::vector<FuzzTarget> videe_line_targets() {
                  "GRAB_IMAGE",
                  "SET_POSITION 800,-200,600,180,0,0 800,200,600,180,0,0",
                  "SET_POSITION 800.5,-200.25,6e2,+180,-0.001,1e-3 -999999,0,0,1080,90,-90",
+                 "SET_POSITION 800,-200,600,180,0,0 800,200,600,180,0,0 "
+                 "800,0,600,180,0,0 900,0,600,180,0,0",
                  "START_SCAN",
                  "STOP_SCAN",
                  "WAIT_SCAN",
