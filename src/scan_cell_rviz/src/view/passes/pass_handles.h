@@ -6,7 +6,6 @@
 #include <visualization_msgs/MarkerArray.h>
 
 #include <QObject>
-#include <memory>
 #include <string>
 
 #include "passes/pass_session.h"

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <QObject>
-#include <memory>
 
 #include "edit/edit_session.h"
 #include "view/handle_server.h"
