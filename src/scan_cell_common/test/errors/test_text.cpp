@@ -4,7 +4,9 @@
 
 #include <clocale>
 
+#include "scan_cell_common/errors/errors.h"
 #include "scan_cell_common/errors/text.h"
+#include "scan_cell_common/errors/utf8.h"
 
 using namespace scan_cell_common;
 
@@ -30,6 +32,25 @@ TEST(Numbers, AreReadTheSameInEveryLocale) {
 TEST(Excerpt, IsShortAndFitForATerminal) {
   EXPECT_EQ(excerpt("x\x1b[2J\n"), "x?[2J?");
   EXPECT_EQ(excerpt(std::string(1000000, 'a')).size(), 43U);
+}
+
+TEST(Utf8, IsToldFromOtherBytesByTheLine) {
+  for (const char* good :
+       {"", "a\n", "Ma\xc3\x9f", "\xef\xbb\xbfx", "\xf0\x9f\x94\xa7", "\xef\xbf\xbd"})
+    EXPECT_NO_THROW(check_utf8(good, "f")) << good;
+  const char* const overlong = "\xc0\xaf";
+  const char* const surrogate = "\xed\xa0\x80";
+  const char* const noncharacter = "\xef\xbf\xbf";
+  const char* const cut = "x\xe2\x82";
+  for (const char* bad : {overlong, surrogate, noncharacter, "\xef\xb7\x90", cut, "\xff\xfex"})
+    EXPECT_THROW(check_utf8(bad, "f"), UnusableInput) << bad;
+  const char* const latin_1 = "a\n\nGr\xf6\xdf\n";
+  try {
+    check_utf8(latin_1, "f", 5);
+    ADD_FAILURE();
+  } catch (const UnusableInput& error) {
+    EXPECT_STREQ(error.what(), "f, line 7: not UTF-8; save it as UTF-8");
+  }
 }
 
 TEST(LineReader, SplitsLinesHoweverTheyEnd) {

@@ -68,6 +68,12 @@ TEST(PathEditsFile, IsTheSameBytesHoweverOftenItIsReadAndWritten) {
   }
 }
 
+TEST(PathEditsFile, RefusesNamesThatWouldNotComeBack) {
+  EXPECT_TRUE(names(complaint_of_edit("set: {waypoints: 1, values: {gr\xf6\xdf: 1}}"),
+                    "e.yaml, line 2: not UTF-8; save it as UTF-8"));
+  EXPECT_EQ(complaint_of_edit("set: {waypoints: 1, values: {gr\xc3\xb6\xc3\x9f: 1}}"), "");
+}
+
 TEST(PathEditsFile, WhatMakesNoSenseIsRefusedWithItsPlace) {
   EXPECT_TRUE(
       names(complaint_of_edit("shift: {waypoints: 1}"), "edits[0].shift: no such entry (line 2)"));

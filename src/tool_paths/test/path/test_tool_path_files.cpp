@@ -292,8 +292,8 @@ TEST(ToolPathFiles, AreRefusedByNameWhereTheyAreOfAnotherKind) {
   std::ofstream(folder / "picture.yaml") << "\x89PNG\r\n\x1a\n" << std::string(100, '\0');
   std::ofstream(folder / "empty.yaml");
   const std::map<std::string, std::string> complaints = {{"folder.csv", "a folder"},
-                                                         {"utf16.csv", "UTF-16"},
-                                                         {"picture.csv", "no column 'x'"},
+                                                         {"utf16.csv", "line 1: not UTF-8"},
+                                                         {"picture.csv", "line 1: not UTF-8"},
                                                          {"picture.yaml", "picture.yaml"},
                                                          {"empty.yaml", "no poses"}};
   for (const auto& [name, part] : complaints) {

@@ -15,12 +15,12 @@
 
 namespace scan_cell_common {
 
-/// @throw FileError if the file is missing, unreadable or not YAML
+/// @throw FileError if it is missing, unreadable or not YAML; UnusableInput if it is not UTF-8
 YAML::Node load_yaml(const std::string& path);
 
 /// The same for text already in memory.
 /// @param name of the text, for errors
-/// @throw FileError if it is not YAML
+/// @throw FileError if it is not YAML; UnusableInput if it is not UTF-8
 YAML::Node parse_yaml(const std::string& text, const std::string& name);
 
 /// One entry of a YAML file. Errors name the file, the entry's full path, such as "scanner.yaml:
@@ -28,10 +28,10 @@ YAML::Node parse_yaml(const std::string& text, const std::string& name);
 class YamlEntry {
  public:
   /// The root of a file.
-  /// @throw FileError as load_yaml()
+  /// @throw FileError, UnusableInput as load_yaml()
   static YamlEntry load(const std::string& path);
 
-  /// The root of a text. @throw FileError as parse_yaml()
+  /// The root of a text. @throw FileError, UnusableInput as parse_yaml()
   static YamlEntry parse(const std::string& text, const std::string& name);
 
   /// @param file, name file and full path of the entry, for errors

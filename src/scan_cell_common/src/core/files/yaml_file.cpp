@@ -7,21 +7,17 @@
 #include <cmath>
 #include <limits>
 
+#include "scan_cell_common/errors/utf8.h"
 #include "scan_cell_common/pose/unit_quaternion.h"
 
 namespace scan_cell_common {
 
 YAML::Node load_yaml(const std::string& path) {
-  try {
-    return YAML::LoadFile(path);
-  } catch (const YAML::BadFile&) {
-    throw FileError(path, "cannot be read", "check the path");
-  } catch (const YAML::Exception& error) {
-    throw FileError(path, error.what(), "correct the YAML");
-  }
+  return parse_yaml(read_file(path), path);
 }
 
 YAML::Node parse_yaml(const std::string& text, const std::string& name) {
+  check_utf8(text, name);
   try {
     return YAML::Load(text);
   } catch (const YAML::Exception& error) {

@@ -13,6 +13,7 @@
 #include "path/pose_names.h"
 #include "scan_cell_common/errors/errors.h"
 #include "scan_cell_common/errors/text.h"
+#include "scan_cell_common/errors/utf8.h"
 #include "tool_paths/tool_path_files.h"
 
 namespace tool_paths {
@@ -203,6 +204,7 @@ ToolPathFile parse_tool_path_csv(const std::string& text, const std::string& sou
   for (std::size_t number = 1; std::getline(lines, line); ++number) {
     const std::string content = trimmed(line);
     if (content.empty() || content[0] == '#') continue;
+    scan_cell_common::check_utf8(content, source, number);
     const std::string where = fmt::format("{}, line {}", source, number);
     reader.read_line(split(line, where), where);
   }

@@ -21,11 +21,6 @@ Format format_of(const std::string& path) {
   throw FileError(path, "ending '" + extension + "'", "give a tool path as .csv or .yaml");
 }
 
-void refuse_utf16(const std::string& text, const std::string& path) {
-  if (text.substr(0, 2) != "\xff\xfe" && text.substr(0, 2) != "\xfe\xff") return;
-  throw scan_cell_common::UnusableInput(path, "in UTF-16", "save it as UTF-8");
-}
-
 }  // namespace
 
 void check_tool_path_name(const std::string& path) {
@@ -36,7 +31,6 @@ void check_tool_path_name(const std::string& path) {
 ToolPathFile load_tool_path_file(const std::string& path, const PathConventions& conventions) {
   const Format format = format_of(path);
   const std::string text = scan_cell_common::read_file(path);
-  refuse_utf16(text, path);
   ToolPathFile file = format == Format::kCsv ? parse_tool_path_csv(text, path, conventions)
                                              : parse_tool_path_yaml(text, path, conventions);
   if (file.path.name == path) file.path.name = std::filesystem::path(path).stem().string();

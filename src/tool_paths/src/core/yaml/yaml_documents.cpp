@@ -10,6 +10,7 @@
 
 #include "scan_cell_common/errors/errors.h"
 #include "scan_cell_common/errors/text.h"
+#include "scan_cell_common/errors/utf8.h"
 
 namespace tool_paths {
 namespace {
@@ -49,6 +50,7 @@ class DocumentsGoOn : public YAML::EventHandler {
 }  // namespace
 
 std::vector<YAML::Node> load_documents(const std::string& text, const std::string& source) {
+  scan_cell_common::check_utf8(text, source);
   try {
     std::istringstream stream(text);
     YAML::Parser parser(stream);

@@ -12,7 +12,7 @@ namespace tool_paths {
 
 /// All documents of a text, including empty ones.
 /// @param source names the text in errors
-/// @throw scan_cell_common::UnusableInput if a part of it is not YAML
+/// @throw scan_cell_common::UnusableInput if a part of it is not YAML or not UTF-8
 std::vector<YAML::Node> load_documents(const std::string& text, const std::string& source);
 
 /// File and line, as named in errors.
