@@ -71,6 +71,13 @@ QLayout* TeachPage::jog_box() {
   auto* const form = new QFormLayout;
   form->addRow(tr("&Move"), kind_);
   form->addRow(tr("S&peed"), speed_);
+  auto* const box = new QVBoxLayout;
+  box->addLayout(form);
+  box->addLayout(jog_buttons());
+  return box;
+}
+
+QLayout* TeachPage::jog_buttons() {
   auto* const grid = new QGridLayout;
   for (int axis = 0; axis < kAxes; ++axis) {
     QLabel*& name = names_.at(static_cast<std::size_t>(axis));
@@ -92,10 +99,7 @@ QLayout* TeachPage::jog_box() {
       });
     }
   }
-  auto* const box = new QVBoxLayout;
-  box->addLayout(form);
-  box->addLayout(grid);
-  return box;
+  return grid;
 }
 
 QLayout* TeachPage::pose_box() {

@@ -38,6 +38,7 @@ class TeachPage : public QWidget {
   static constexpr int kAxes = 6;
 
   QLayout* jog_box();
+  QLayout* jog_buttons();
   QLayout* pose_box();
   void name_axes();
   void show_joints(const std::vector<double>& positions);

@@ -49,6 +49,13 @@ CleanPage::CleanPage(EditSession& session, QWidget* parent)
   edits_->setObjectName("edits");
   edits_->setAccessibleName(tr("Edits in force"));
   lay_out();
+  connect_widgets();
+  session_.try_stages(std::nullopt);  // another page may have tried them
+  take_settings();
+  show_view();
+}
+
+void CleanPage::connect_widgets() {
   connect(what_, qOverload<int>(&QComboBox::currentIndexChanged), this,
           [this] { take_settings(); });
   for (QDoubleSpinBox* const box : {depth_, radius_, gap_})
@@ -67,15 +74,12 @@ CleanPage::CleanPage(EditSession& session, QWidget* parent)
   });
   connect(stages_, &StagesBox::changed, this,
           [this] { session_.try_stages(stages_->parameters()); });
-  session_.try_stages(std::nullopt);  // another page may have tried them
   connect(stages_, &StagesBox::saveWanted, this, [this] {
     if (const auto stages = stages_->parameters())
       Q_EMIT stagesSaveWanted(recipe_, QString::fromStdString(stages_yaml(*stages)));
   });
   connect(&session_, &EditSession::changed, this, &CleanPage::show_view);
   connect(&session_, &EditSession::failed, this, &CleanPage::show_end);
-  take_settings();
-  show_view();
 }
 
 QDoubleSpinBox* CleanPage::length_box(const char* name, double metres, const QString& meaning) {

@@ -35,6 +35,7 @@ class CleanPage : public QWidget {
 
  private:
   void lay_out();
+  void connect_widgets();
   void show_view();
   static QString count_text(const EditedView& view);
   void take_settings();

@@ -77,21 +77,7 @@ FitPage::FitPage(QWidget* parent)
   approve_->setObjectName("approve");
   refuse_->setObjectName("refuse");
   report_->setObjectName("report");
-
-  auto* const form = new QFormLayout;
-  form->addRow(tr("Your &name"), person_);
-  form->addRow(tr("N&ote"), note_);
-  auto* const buttons = new QHBoxLayout;
-  for (QPushButton* const button : {approve_, refuse_, report_})
-    buttons->addWidget(button);
-  auto* const layout = new QVBoxLayout(this);
-  for (QWidget* const widget : {static_cast<QWidget*>(verdict_), static_cast<QWidget*>(message_),
-                                static_cast<QWidget*>(waypoints_), static_cast<QWidget*>(figures_),
-                                static_cast<QWidget*>(decision_)})
-    layout->addWidget(widget);
-  layout->addLayout(form);
-  layout->addLayout(buttons);
-
+  lay_out();
   connect(waypoints_, &QListWidget::currentRowChanged, this, [this](int row) {
     if (row < 0) return;
     const geometry_msgs::Point& at = run_.waypoint_positions.at(static_cast<std::size_t>(row));
@@ -105,6 +91,22 @@ FitPage::FitPage(QWidget* parent)
   message_->setText(tr("No part was scanned yet."));
   show_waypoints();
   update_buttons();
+}
+
+void FitPage::lay_out() {
+  auto* const form = new QFormLayout;
+  form->addRow(tr("Your &name"), person_);
+  form->addRow(tr("N&ote"), note_);
+  auto* const buttons = new QHBoxLayout;
+  for (QPushButton* const button : {approve_, refuse_, report_})
+    buttons->addWidget(button);
+  auto* const layout = new QVBoxLayout(this);
+  for (QWidget* const widget : {static_cast<QWidget*>(verdict_), static_cast<QWidget*>(message_),
+                                static_cast<QWidget*>(waypoints_), static_cast<QWidget*>(figures_),
+                                static_cast<QWidget*>(decision_)})
+    layout->addWidget(widget);
+  layout->addLayout(form);
+  layout->addLayout(buttons);
 }
 
 void FitPage::show_run(const scan_cell_msgs::DescribeRunResponse& run) {

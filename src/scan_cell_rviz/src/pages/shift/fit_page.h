@@ -31,6 +31,7 @@ class FitPage : public QWidget {
   void placeChosen(double x, double y, double z, QString frame);  ///< [m]
 
  private:
+  void lay_out();
   void show_waypoints();
   void update_buttons();
   void decide(bool approved);

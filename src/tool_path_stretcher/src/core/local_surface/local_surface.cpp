@@ -149,6 +149,15 @@ double slope_variance_of_shift(const Eigen::Matrix2d& slopes, const Eigen::Matri
   return (slopes * solver.eigenvectors() * variances.cwiseSqrt().asDiagonal()).squaredNorm() / 2;
 }
 
+/// The same due to what rounds off the scan towards an edge, where it falls off the reference:
+/// sampling and mixed points.
+/// @param of_blur [m] growth of the blur over the radius in each of two directions
+double slope_variance_of_blur(const Eigen::Vector2d& of_blur, double radius) {
+  constexpr double kRounded = 0.3;  // of the growth of the blur; chosen
+  const double rounded = kRounded * of_blur.norm();
+  return rounded * rounded / 2 / (radius * radius);
+}
+
 }  // namespace
 
 LocalSurface LocalSurfaceFitter::far_from(const Eigen::Vector3d& point) const {
@@ -207,10 +216,7 @@ LocalSurface LocalSurfaceFitter::fit(const Eigen::Vector3d& point,
   const Gradients gradients = gradients_of(heights, radius_, fit.inverse, kDeviations * noise_);
   local.slope_variance += slope_variance_of_shift(
       gradients.of_rise / radius_, ways.transpose() * shift_covariance * ways, radius_);
-  // Towards an edge, sampling and mixed points round off the scan, and it falls off the reference.
-  constexpr double kRounded = 0.3;                             // of the growth of the blur; chosen
-  const double rounded = kRounded * gradients.of_blur.norm();  // [m] over a radius
-  local.slope_variance += rounded * rounded / 2 / (radius_ * radius_);
+  local.slope_variance += slope_variance_of_blur(gradients.of_blur, radius_);
   // Points on only one side tell little about the height here, and points of two faces nothing.
   constexpr double kMaxLeverage = 0.5;  // of a point's variance in the height; chosen
   constexpr double kRough = 5;          // times the noise; chosen

@@ -14,6 +14,8 @@
 namespace tool_path_stretcher {
 namespace {
 
+constexpr double kTolerance = 0.2;  // spacings; chosen
+
 /// Whether the mapping nearly collapses space at a point of the reference, or turns it inside out.
 bool turned_over(const Mapping& mapping, const Eigen::Vector3d& at) {
   constexpr double kMinVolume = 0.1;  // of the original volume; chosen
@@ -158,6 +160,32 @@ double max_position_error(const StretchParameters& parameters, double least) {
   return std::max({parameters.max_position_error, least, pose ? pose->distance : 0});
 }
 
+void check_uncertainty(const std::vector<WaypointQuality>& quality, const PlacementLimits& limits,
+                       const StretchParameters& parameters) {
+  const double max_error = limits.edges_are_known
+                               ? max_position_error(parameters, kTolerance * limits.spacing)
+                               : std::numeric_limits<double>::infinity();
+  Found(quality, max_error,
+        [](const WaypointQuality& q) { return q.in_air ? 0 : q.expected_error_tangential; })
+      .refuse_if_any(
+          Reason::kPositionUncertain, "adapted path",
+          "may be off by {:.3g} mm along the surface (one standard deviation)",
+          fmt::format("scan edges or features that show where the part lies along itself, give "
+                      "the scale or the initial pose more closely, or raise max_position_error "
+                      "({:.4g} mm)",
+                      max_error * 1e3));
+  using scan_cell_common::kDegree;
+  Found(quality, parameters.max_orientation_error,
+        [](const WaypointQuality& q) { return q.in_air ? 0 : q.expected_error_orientation; })
+      .refuse_if_any(
+          Reason::kOrientationUncertain, "adapted path",
+          "have an orientation that may be off by {:.3g} deg (one standard deviation)",
+          fmt::format("scan the surface beside them more densely and to both sides, or "
+                      "raise max_orientation_error ({:.4g} rad, {:.3g} deg)",
+                      parameters.max_orientation_error, parameters.max_orientation_error / kDegree),
+          kDegree);
+}
+
 }  // namespace
 
 double max_stranger(const StretchParameters& parameters, double spacing) {
@@ -167,8 +195,7 @@ double max_stranger(const StretchParameters& parameters, double spacing) {
 void check_placement(const Placement& placement, const PlacementLimits& limits,
                      const StretchParameters& parameters) {
   const std::vector<WaypointQuality>& quality = placement.quality;
-  constexpr double kHole = 1.5;       // spacings: a sparse scan is not a hole; chosen
-  constexpr double kTolerance = 0.2;  // spacings; chosen
+  constexpr double kHole = 1.5;  // spacings: a sparse scan is not a hole; chosen
   const double spacing = limits.spacing;
   const double max_hole = std::max(parameters.max_hole_distance, kHole * spacing);
   const double tolerance = std::max(parameters.tolerance, kTolerance * spacing);
@@ -192,28 +219,7 @@ void check_placement(const Placement& placement, const PlacementLimits& limits,
                      fmt::format("check the part, or raise max_displacement_ratio ({:.4g} % of "
                                  "the part's length, {:.4g} mm)",
                                  100 * parameters.max_displacement_ratio, max_displacement * 1e3));
-  const double max_error = limits.edges_are_known
-                               ? max_position_error(parameters, kTolerance * spacing)
-                               : std::numeric_limits<double>::infinity();
-  Found(quality, max_error,
-        [](const WaypointQuality& q) { return q.in_air ? 0 : q.expected_error_tangential; })
-      .refuse_if_any(
-          Reason::kPositionUncertain, "adapted path",
-          "may be off by {:.3g} mm along the surface (one standard deviation)",
-          fmt::format("scan edges or features that show where the part lies along itself, give "
-                      "the scale or the initial pose more closely, or raise max_position_error "
-                      "({:.4g} mm)",
-                      max_error * 1e3));
-  using scan_cell_common::kDegree;
-  Found(quality, parameters.max_orientation_error,
-        [](const WaypointQuality& q) { return q.in_air ? 0 : q.expected_error_orientation; })
-      .refuse_if_any(
-          Reason::kOrientationUncertain, "adapted path",
-          "have an orientation that may be off by {:.3g} deg (one standard deviation)",
-          fmt::format("scan the surface beside them more densely and to both sides, or "
-                      "raise max_orientation_error ({:.4g} rad, {:.3g} deg)",
-                      parameters.max_orientation_error, parameters.max_orientation_error / kDegree),
-          kDegree);
+  check_uncertainty(quality, limits, parameters);
 }
 
 }  // namespace tool_path_stretcher
