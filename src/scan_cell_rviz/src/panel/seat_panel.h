@@ -7,8 +7,8 @@
 #include <memory>
 #include <string>
 
-#include "link/seat_links.h"
 #include "seat/seat.h"
+#include "seat/seat_links.h"
 #include "view/passes/pass_handles.h"
 #include "view/path/waypoint_handles.h"
 #include "view/scan/box_handles.h"

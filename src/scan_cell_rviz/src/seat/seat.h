@@ -12,7 +12,6 @@
 
 #include "design/pick_session.h"
 #include "edit/edit_session.h"
-#include "link/seat_links.h"
 #include "pages/preparation/design_page.h"
 #include "pages/preparation/passes_page.h"
 #include "pages/preparation/teach_page.h"
@@ -25,6 +24,7 @@
 #include "seat/band.h"
 #include "seat/page.h"
 #include "seat/place_in_view.h"
+#include "seat/seat_links.h"
 
 namespace scan_cell_rviz {
 

@@ -14,7 +14,7 @@
 #include <array>
 #include <vector>
 
-#include "link/teach_link.h"
+#include "link/preparation/teach_link.h"
 #include "widgets/hold_button.h"
 
 namespace scan_cell_rviz {

@@ -3,9 +3,9 @@
 #pragma once
 
 #include "link/cell_link.h"
-#include "link/design_link.h"
-#include "link/pass_link.h"
-#include "link/teach_link.h"
+#include "link/preparation/design_link.h"
+#include "link/preparation/pass_link.h"
+#include "link/preparation/teach_link.h"
 
 namespace scan_cell_rviz {
 

@@ -1,6 +1,6 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "link/design_link.h"
+#include "link/preparation/design_link.h"
 
 #include <QMetaType>
 

@@ -1,6 +1,6 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "link/teach_link.h"
+#include "link/preparation/teach_link.h"
 
 #include <scan_cell_msgs/RecordPose.h>
 
