@@ -82,6 +82,7 @@ install: build
 lint: dependencies docs
 	@catkin_lint --offline -W2 --strict src
 	@scripts/check_rooms.py
+	@scripts/check_api.py
 	@git ls-files '*.cpp' '*.h' | xargs -r clang-format --dry-run -Werror
 
 # build/docs/html/index.html, from the docstrings of the API; a missing one fails
