@@ -235,7 +235,7 @@ Der Roboter kommt nicht dorthin.</translation>
         <translation>Quader an&amp;wenden</translation>
     </message>
     <message>
-        <source>Drag its arrows, rings and faces in the view before</source>
+        <source>First drag its arrows, rings and faces in the view</source>
         <translation>Vorher in der Ansicht an seinen Pfeilen, Ringen und Flächen ziehen</translation>
     </message>
     <message>
@@ -775,7 +775,7 @@ Der Roboter kommt nicht dorthin.</translation>
         <translation>Rechtshändig (-180 bis 180 Grad)</translation>
     </message>
     <message>
-        <source>Process value, such as speed or an output. One that the path does not have is set for all waypoints first: to 0, but for those that are chosen</source>
+        <source>Process value, such as speed or an output. A value that the path does not have yet is first set to 0 for all waypoints except the selected ones</source>
         <translation>Prozesswert, etwa Geschwindigkeit oder ein Ausgang. Einer, den der Pfad nicht hat, wird zuerst für alle Wegpunkte gesetzt: auf 0, außer für die gewählten</translation>
     </message>
     <message>
@@ -1002,11 +1002,11 @@ Der Roboter kommt nicht dorthin.</translation>
         <translation>Bearbeitungen des Pfads (Seite 4)</translation>
     </message>
     <message>
-        <source>Not done to the end: %1</source>
+        <source>Not completed: %1</source>
         <translation>Nicht bis zum Ende ausgeführt: %1</translation>
     </message>
     <message>
-        <source>Done, the dry run. %1</source>
+        <source>Dry run done. %1</source>
         <translation>Trockenlauf fertig. %1</translation>
     </message>
 </context>
@@ -1056,7 +1056,7 @@ Der Roboter kommt nicht dorthin.</translation>
         <translation>&amp;Stufen ins Rezept sichern</translation>
     </message>
     <message>
-        <source>Shows what each stage would take of what the edits leave</source>
+        <source>Shows which of the points left by the edits each stage would remove</source>
         <translation>Zeigt, was jede Stufe von dem nähme, was die Änderungen lassen</translation>
     </message>
     <message>
@@ -1228,7 +1228,7 @@ Der Roboter kommt nicht dorthin.</translation>
         <translation>Bewegt nichts: zeigt den Weg, den Roboter an jeder seiner Posen, und wo er nicht folgen kann</translation>
     </message>
     <message>
-        <source>The same of the dry run</source>
+        <source>The same for the dry run</source>
         <translation>Dasselbe für den Trockenlauf</translation>
     </message>
     <message>

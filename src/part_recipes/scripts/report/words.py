@@ -17,7 +17,7 @@ CURES = {
     'wrong_part': 'Check the part. If one whole region differs, remove what lies there: floor, clamps, neighbours. If '
                   'everything differs, it is another part.',
     'ambiguous': "Scan what breaks the part's symmetry, or give an initial pose.",
-    'mirrored_part': 'Take the part of the other hand, or the reference and path of this hand.',
+    'mirrored_part': 'Take the opposite-hand part, or the reference and path of this hand.',
     'scale_at_bound': 'Check the units; widen min_scale and max_scale if the size is right.',
     'path_not_scanned': 'Scan the region of the marked waypoints, or split the path.',
     'tolerance_exceeded': 'Use the general method, which follows a bend; check the part at the marked waypoints.',

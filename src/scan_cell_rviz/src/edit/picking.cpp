@@ -59,7 +59,7 @@ PrismShape prism_behind(const std::vector<Ray>& corners, const Vector3d& place, 
     constexpr double kGrazing = 0.05;  // sine of three degrees; chosen
     const double slope = -corner.direction.dot(prism.towards);
     if (!(slope > kGrazing))
-      throw UnusableInput("polygon", "a corner beside the view", "draw it before the cloud");
+      throw UnusableInput("polygon", "a corner outside the view", "draw it in front of the cloud");
     const double along = (corner.origin - place).dot(prism.towards) / slope;
     prism.corners.push_back(corner.origin + along * corner.direction);
   }

@@ -275,7 +275,7 @@ void Seat::show_end(const RunRecipeResult& result, Doing was) {
   if (result.outcome == RunRecipeResult::NONE) {
     tell(QString::fromStdString(result.message));
     if (was_work)
-      work_->show_end(tr("Not done to the end: %1").arg(QString::fromStdString(result.message)));
+      work_->show_end(tr("Not completed: %1").arg(QString::fromStdString(result.message)));
     if (was == Doing::kEdit) path_->show_end(QString::fromStdString(result.message));
     return;
   }
@@ -283,9 +283,9 @@ void Seat::show_end(const RunRecipeResult& result, Doing was) {
     return path_->show_end(QString::fromStdString(result.message));  // the edits stay
   tell(QString::fromStdString(result.warning));
   open_run(id);
-  const QString done = was == Doing::kDryRun ? tr("Done, the dry run. %1") : tr("Done. %1");
+  const QString done = was == Doing::kDryRun ? tr("Dry run done. %1") : tr("Done. %1");
   if (was_work)
-    work_->show_end((result.worked != 0 ? done : tr("Not done to the end: %1"))
+    work_->show_end((result.worked != 0 ? done : tr("Not completed: %1"))
                         .arg(QString::fromStdString(result.work_message)));
   else
     show_page(Page::kFit);

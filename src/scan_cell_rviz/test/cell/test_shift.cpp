@@ -238,7 +238,7 @@ TEST_F(AShift, FromThePartOnTheTableToWork) {
   seat().findChild<QSlider*>("pose")->setValue(20);
   EXPECT_TRUE(shows("at_pose", "waypoint 19:")) << "after one approach: " << text("at_pose");
   click("work");
-  ASSERT_TRUE(shows("work_end", "Not done to the end")) << "it was never run dry";
+  ASSERT_TRUE(shows("work_end", "Not completed")) << "it was never run dry";
   take_picture("not_worked");
   click("dry_run");
   ASSERT_TRUE(shows("work_end", "Done")) << text("work_end") << text("trouble");

@@ -34,7 +34,7 @@ TEST_F(ASeat, LetsAPersonWithANameApproveAnAcceptedRunAndThenWork) {
   EXPECT_EQ(recipes_->last_goal().work, scan_cell_msgs::RunRecipeGoal::DRY_RUN);
   recipes_->finish(RunSummary::ACCEPTED);
   EXPECT_TRUE(comes([this] {
-    return text("work_end") == "Done, the dry run. all waypoints were passed";
+    return text("work_end") == "Dry run done. all waypoints were passed";
   })) << text("work_end");
 }
 

@@ -153,7 +153,7 @@ TEST(UrscriptWriter, RefusesWhatItCannotSayAndNamesTheWaypoint) {
               p.steps.pop_back();
               move_of(p, 4).zone = 0.001;
             }),
-            "program ADAPTED, waypoint 4: the last waypoint has a zone, and nothing to pass on to");
+            "program ADAPTED, waypoint 4: the last waypoint has a zone, but no move follows it");
   EXPECT_EQ(fault_after([](Program& p) {
               move_of(p, 3).pose.linear() = move_of(p, 1).pose.linear();
               move_of(p, 3).pose.rotate(Eigen::AngleAxisd(M_PI, Eigen::Vector3d::UnitX()));

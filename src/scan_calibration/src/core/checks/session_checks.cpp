@@ -190,7 +190,7 @@ void check_lasers_seen(const Observations& observations, const BoardViews& views
     throw UnusableInput(observations.lasers[laser],
                         "its line shows in " + share(seen, views.size()) + " views",
                         seen == 0 ? "check that it is switched on, its peaks and its exposure"
-                                  : fmt::format("at least {} are needed: hold the board into its "
+                                  : fmt::format("at least {} are needed: hold the board in its "
                                                 "light",
                                                 kMinLines));
   }

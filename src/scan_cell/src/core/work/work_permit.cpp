@@ -20,7 +20,7 @@ using scan_cell_common::Refused;
 /// @throw Refused unless both are known and equal
 void check_same(const std::string& what, const std::string& then, const std::string& now) {
   if (then.empty())
-    throw Refused("report", "it does not say with which " + what + " the part was scanned",
+    throw Refused("report", "it does not say which " + what + " the part was scanned with",
                   "adapt the path in the running cell");
   if (now.empty())
     throw Refused(what, "the running cell's file cannot be read on this machine",

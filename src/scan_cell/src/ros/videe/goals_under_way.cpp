@@ -59,7 +59,7 @@ void GoalsUnderWay::wait_until_ended(double timeout) const {
       }
     }
     if (ros::WallTime::now() > deadline) {
-      throw scan_cell_common::ConnectionError(action_, "does not end although it was cancelled",
+      throw scan_cell_common::ConnectionError(action_, "did not end after it was cancelled",
                                               "look at its log");
     }
     ros::WallDuration(kLook).sleep();

@@ -44,7 +44,7 @@ void cancel_and_wait(Client& client, const std::string& name) {
   const ros::WallTime deadline = ros::WallTime::now() + ros::WallDuration(kCancelTimeout);
   while (!client.wait_for_end(0.02) && client.is_connected()) {
     if (ros::WallTime::now() < deadline) continue;
-    throw scan_cell_common::ConnectionError(name, "does not end although it was cancelled",
+    throw scan_cell_common::ConnectionError(name, "did not end after it was cancelled",
                                             "look at its log");
   }
 }

@@ -105,7 +105,7 @@ void CleanPage::lay_out() {
             [this, wanted = QString(name)] { Q_EMIT toolWanted(wanted); });
   }
   QPushButton* const apply = named_button("apply_box", tr("&Apply the box"), this);
-  apply->setToolTip(tr("Drag its arrows, rings and faces in the view before"));
+  apply->setToolTip(tr("First drag its arrows, rings and faces in the view"));
   connect(apply, &QPushButton::clicked, this, &CleanPage::boxWanted);
   auto* const form = new QFormLayout;
   form->addRow(tr("&Depth"), depth_);

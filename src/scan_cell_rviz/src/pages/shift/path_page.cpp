@@ -125,8 +125,8 @@ QLayout* PathPage::value_row() {
   name_->setObjectName("value_name");
   name_->setEditable(true);
   name_->setToolTip(
-      tr("Process value, such as speed or an output. One that the path does not have is set for "
-         "all waypoints first: to 0, but for those that are chosen"));
+      tr("Process value, such as speed or an output. A value that the path does not have yet is "
+         "first set to 0 for all waypoints except the selected ones"));
   constexpr double kMost = 1e9;  // beyond any process
   value_ = number_box("value", kMost, 4, "", tr("As the path's file has it, without a unit"));
   auto* const row = new QHBoxLayout;

@@ -56,7 +56,7 @@ StagesBox::StagesBox(QWidget* parent)
   setObjectName("stages");
   setCheckable(true);
   setChecked(false);
-  setToolTip(tr("Shows what each stage would take of what the edits leave"));
+  setToolTip(tr("Shows which of the points left by the edits each stage would remove"));
   auto* const rows = new QVBoxLayout(inside_);
   for (const StageColour& colour : kStageColours) {
     auto* const head = new QHBoxLayout;

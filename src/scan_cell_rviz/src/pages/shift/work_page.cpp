@@ -57,7 +57,7 @@ QLayout* WorkPage::preview_box() {
       tr("Moves nothing: shows the way, the robot at each of its poses, and where "
          "it cannot follow"));
   preview_dry_->setObjectName("preview_dry");
-  preview_dry_->setToolTip(tr("The same of the dry run"));
+  preview_dry_->setToolTip(tr("The same for the dry run"));
   pose_->setObjectName("pose");
   pose_->setAccessibleName(tr("Pose of the preview"));
   pose_->setToolTip(tr("Pose of the tool's tip at which the robot's ghost stands"));

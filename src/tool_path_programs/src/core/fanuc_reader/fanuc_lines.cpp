@@ -95,7 +95,7 @@ class FanucLines {
     if (++last > kMostPositions)
       throw scan_cell_common::UnusableInput(to_string(target.place, text_.files),
                                             "no number is left for another position",
-                                            "allow the arc by a tolerance");
+                                            "raise the arc tolerance to keep the arc");
     const auto [old, text] = position_at(target);
     std::vector<TextEdit> edits;
     const std::size_t bracket = text.find('[') + 1;

@@ -66,7 +66,7 @@ class Writer {
     if (move.kind == MotionKind::kJoint) block_.push_back("PTP " + literal(move.pose));
     if (move.kind == MotionKind::kLinear) block_.push_back("LIN " + literal(move.pose) + zone);
     if (move.kind == MotionKind::kCircular && !last_)
-      refuse("an arc that begins at angles of the axes", "let a move to a pose come before it");
+      refuse("an arc that begins at angles of the axes", "a move to a pose must come before it");
     if (move.kind == MotionKind::kCircular)
       block_.push_back("CIRC " + literal(*move.via) + "," + literal(move.pose) + zone);
     end_block();

@@ -188,7 +188,7 @@ class Writer {
       return;
     }
     if (!last_ && move.kind == MotionKind::kCircular)
-      refuse("an arc that begins at angles of the axes", "let a move to a pose come before it");
+      refuse("an arc that begins at angles of the axes", "a move to a pose must come before it");
     if (!last_ || last_->frames != move.frames) return;
     const double turn = turn_between(*last_, move);
     if (turn >= kOpenTurn)

@@ -104,9 +104,10 @@ class Writing {
     const Move* before = i == 0 ? nullptr : std::get_if<Move>(&program_.steps[i - 1]);
     if (before && before->zone > 0) return;
     if (last_ && last_->zone > 0)
-      throw UnusableInput("RAPID, waypoint " + std::to_string(waypoint_),
-                          "two outputs on the way, where RAPID switches one",
-                          "let the tool stop there: zone 0");
+      throw UnusableInput(
+          "RAPID, waypoint " + std::to_string(waypoint_),
+          "two outputs switch while the tool moves, but RAPID can switch only one there",
+          "let the tool stop there: zone 0");
     body_.push_back(fmt::format("SetDO {},{};", output.output, output.on ? 1 : 0));
   }
 

@@ -85,7 +85,8 @@ class Straightening {
             ? fmt::format("on the part this arc is no longer a circle: {:.2g} mm off", 1e3 * error)
             : "an arc that moves";
     if (!source.arc)
-      throw UnusableInput(where, why, "allow it by an arc tolerance, or write the arc as lines");
+      throw UnusableInput(where, why,
+                          "raise the arc tolerance to keep it, or write the arc as lines");
     if (turns_over_half_a_circle(step))
       throw UnusableInput(where, why + "; along more than half a circle the tool turns",
                           "the direction of the turn is ambiguous: write the arc as lines");
@@ -168,7 +169,7 @@ class Straightening {
     if (!difference.empty())
       throw UnusableInput(language_.title() + " program " + text_.program.name,
                           "it reads differently with lines in place of arcs: " + difference,
-                          "allow its arcs by an arc tolerance, or write them as lines");
+                          "raise the arc tolerance to keep its arcs, or write them as lines");
     return lines;
   }
 

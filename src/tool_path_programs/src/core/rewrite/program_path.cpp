@@ -84,7 +84,7 @@ class Maker {
   void add_arc(std::size_t step, const Eigen::Isometry3d& via, const Eigen::Isometry3d& to) {
     if (!last_)
       throw UnusableInput(where(text_, step), "an arc that begins at angles of the axes",
-                          "let a move to a pose come before it");
+                          "a move to a pose must come before it");
     const auto circle = Circle::through(last_->translation(), via.translation(), to.translation());
     if (!circle)
       throw UnusableInput(where(text_, step), "an arc whose three positions do not define a circle",

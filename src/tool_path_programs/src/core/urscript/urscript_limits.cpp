@@ -57,7 +57,7 @@ class Limits {
                             "give the pose that it leads to");
     }
     if (before_.move && before_.move->zone > 0)
-      throw UnusableInput(waypoint(), "the last waypoint has a zone, and nothing to pass on to",
+      throw UnusableInput(waypoint(), "the last waypoint has a zone, but no move follows it",
                           "give it a zone of 0");
   }
 
@@ -108,7 +108,7 @@ class Limits {
     if (!before_.move) {
       if (move.kind == MotionKind::kCircular)
         throw UnusableInput(waypoint(), "an arc as the first move",
-                            "let a move to the beginning of the arc come before it");
+                            "a move to the beginning of the arc must come before it");
       return;
     }
     const Frames& frames = program_.frames[move.frames];

@@ -116,8 +116,8 @@ void check_path(const ToolPath& path, const Surface& reference,
                      "{:.4g} mm",
                      off.size(), waypoint_count(path), distances.reach * 1e3, worst * 1e3),
          fmt::format("give the path in the reference's frame and in metres; at least half of its "
-                     "waypoints must lie on the surface, or be led over it by less than "
-                     "max_stand_off ({:.4g} mm), and none {:.4g} m away",
+                     "waypoints must lie on the surface, or be guided over it at less than "
+                     "max_stand_off ({:.4g} mm), and none may be {:.4g} m away",
                      parameters.max_stand_off * 1e3, kLargest),
          off);
 }
@@ -142,7 +142,7 @@ void check_seeable(const ToolPath& path, const Surface& seeable,
 
 void refuse_wrong_part(const std::string& why) {
   refuse(Reason::kWrongPart, "object", why,
-         "check that it is the part of the reference, and alone in the scan");
+         "check that it is the same part as the reference, and the only thing in the scan");
 }
 
 void refuse_mirrored(const Explanation& mirrored, const Explanation& explanation) {
@@ -150,7 +150,7 @@ void refuse_mirrored(const Explanation& mirrored, const Explanation& explanation
          fmt::format("the mirror image of the reference explains {:.4g} % of its points, the "
                      "reference itself {:.4g} %, and only the mirror image explains its features",
                      100 * mirrored.inlier_ratio, 100 * explanation.inlier_ratio),
-         "give the part of the other hand, or the reference and the path of this one");
+         "use the opposite-hand part, or the reference and the path of this one");
 }
 
 void refuse_search_at_bound(double scale, const StretchParameters& parameters) {

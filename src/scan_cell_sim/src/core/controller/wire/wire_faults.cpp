@@ -18,7 +18,7 @@ const std::array<WireFault, 10> kWireFaults = {
      {"hold", &WireFaults::hold, 10, true, "how long a burst is held back"},
      {"flipped", &WireFaults::flipped, 1, false, "has one to three bits flipped"},
      {"truncated", &WireFaults::truncated, 1, false, "is truncated"},
-     {"silence", &WireFaults::silence, 3600, true, "for which nothing passes, from now on"}}};
+     {"silence", &WireFaults::silence, 3600, true, "nothing passes for this long, from now on"}}};
 
 void check(const WireFaults& faults, const std::string& prefix) {
   for (const WireFault& fault : kWireFaults) {
