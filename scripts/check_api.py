@@ -8,7 +8,8 @@ import pathlib
 import re
 import sys
 
-INCLUDE = re.compile(r'^#include "([^"]+)"', re.MULTILINE)
+from check_rooms import INCLUDE, SUFFIXES
+
 TABLE_ROW = re.compile(r"^\| `(\w+)` \| (.*) \|$", re.MULTILINE)
 HEADER = re.compile(r"`([\w/]+\.h)`")
 
@@ -22,13 +23,13 @@ def named_headers():
 def main():
     """The exit code is 1 if documentation and headers differ."""
     headers = {
-        str(file.relative_to(file.parents[len(file.parts) - 4])): file
+        "/".join(file.parts[3:]): file  # without src/<package>/include
         for file in pathlib.Path("src").glob("*/include/**/*.h")
         if "ros" not in file.parts
     }
     included = set()
     for file in pathlib.Path("src").rglob("*"):
-        if file.suffix not in (".h", ".cpp"):
+        if file.suffix not in SUFFIXES:
             continue
         for name in INCLUDE.findall(file.read_text(encoding="utf-8")):
             if name in headers and (file.parts[1] != headers[name].parts[1] or "include" in file.parts):

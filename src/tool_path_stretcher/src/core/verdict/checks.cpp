@@ -150,7 +150,7 @@ void refuse_mirrored(const Explanation& mirrored, const Explanation& explanation
          fmt::format("the mirror image of the reference explains {:.4g} % of its points, the "
                      "reference itself {:.4g} %, and only the mirror image explains its features",
                      100 * mirrored.inlier_ratio, 100 * explanation.inlier_ratio),
-         "use the opposite-hand part, or the reference and the path of this one");
+         "use the opposite-hand part, or the reference and path of this hand");
 }
 
 void refuse_search_at_bound(double scale, const StretchParameters& parameters) {
