@@ -272,7 +272,7 @@ class LaserTriangulationNode(unittest.TestCase):
 
     def test_refuses_to_start_without_a_scanner_model(self):
         for arguments, words in (([], '/bad_triangulation/scanner: not set'),
-                                 (['_scanner:=/no/such.yaml'], '/no/such.yaml: cannot be read')):
+                                 (['_scanner:=/no/such.yaml'], '/no/such.yaml: no such file')):
             run = subprocess.run(['rosrun', 'laser_triangulation', 'laser_triangulation_node',
                                   '__name:=bad_triangulation'] + arguments, timeout=60,
                                  stdout=subprocess.PIPE, stderr=subprocess.STDOUT)

@@ -85,7 +85,8 @@ class AShift : public testing::Test {
   /// Clicks as soon as possible.
   void click(const char* name) const {
     auto* const button = seat().findChild<QPushButton*>(name);
-    ASSERT_TRUE(comes([&] { return button->isEnabled(); })) << name << ": " << text("trouble");
+    ASSERT_TRUE(comes([&] { return button->isEnabled(); }))
+        << name << ": " << text("verdict") << "; " << text("message") << "; " << text("trouble");
     auto* const pages = seat().findChild<QTabWidget*>("pages");
     for (int page = 0; page < pages->count(); ++page)
       if (pages->widget(page)->isAncestorOf(button)) pages->setCurrentIndex(page);
@@ -241,7 +242,7 @@ TEST_F(AShift, FromThePartOnTheTableToWork) {
   ASSERT_TRUE(shows("work_end", "Not completed")) << "it was never run dry";
   take_picture("not_worked");
   click("dry_run");
-  ASSERT_TRUE(shows("work_end", "Done")) << text("work_end") << text("trouble");
+  ASSERT_TRUE(shows("work_end", "Dry run done")) << text("work_end") << text("trouble");
   click("work");
   ASSERT_TRUE(comes([this] { return seat().is_busy(); }));
   ASSERT_TRUE(comes([this] { return seat().findChild<QProgressBar*>("progress")->value() > 0; }));
