@@ -17,43 +17,65 @@
 
 namespace scan_cell {
 
-/// Calls a service and waits at most `timeout` [s]. roscpp alone would wait for ever for a node or
-/// a master that hangs, and minutes for a computer that is gone.
+enum class CallEnd { kNoService, kLost, kLate, kAnswered };
+
+/// Calls a service once, however long that takes.
+template <class Service>
+CallEnd call_once(const std::string& name, Service& service) {
+  // Persistent: otherwise the server closes the connection behind its answer, and roscpp may lose
+  // that answer (github.com/ros/ros_comm/issues/1976).
+  constexpr bool kPersistent = true;
+  ros::ServiceClient client = ros::service::createClient<Service>(name, kPersistent);
+  // Nothing was sent: the service may just have come up, as when a cell starts.
+  if (!client.isValid() && ros::service::exists(name, false))
+    client = ros::service::createClient<Service>(name, kPersistent);
+  // Never called again: the service may have acted although its answer did not come.
+  if (client.isValid() && client.call(service)) return CallEnd::kAnswered;
+  return ros::service::exists(name, false) ? CallEnd::kLost : CallEnd::kNoService;
+}
+
+/// @param timeout [s] for the words
+/// @throw ConnectionError unless the service answered
+inline void check_end(CallEnd end, const std::string& name, double timeout) {
+  using scan_cell_common::ConnectionError;
+  switch (end) {
+    case CallEnd::kAnswered:
+      return;
+    case CallEnd::kNoService:
+      throw ConnectionError(name, "no such service", "is its node running?");
+    case CallEnd::kLost:
+      throw ConnectionError(name, "no answer: connection lost",
+                            "is its node alive? It may have acted nevertheless");
+    case CallEnd::kLate:
+      throw ConnectionError(name, fmt::format("no answer within {:g} s", timeout),
+                            "is its node alive?");
+  }
+}
+
+/// Calls a service once, and waits at most `timeout` [s]. roscpp alone would wait for ever for a
+/// node or a master that hangs, and minutes for a computer that is gone.
 /// @throw ConnectionError if there is no such service, or no answer in time
 template <class Service>
 typename Service::Response ask(const std::string& name, const typename Service::Request& request,
                                double timeout) {
-  enum class End { kNoService, kNoAnswer, kAnswered };
   struct Call {
     Service service;
-    std::promise<End> end;
+    std::promise<CallEnd> end;
   };
   const auto shared = std::make_shared<Call>();  // outlives an abandoned call
   shared->service.request = request;
-  std::future<End> future = shared->end.get_future();
+  std::future<CallEnd> future = shared->end.get_future();
   std::thread([shared, name] {
     try {
-      // Looked up only if the call fails, since that takes as long as the call. A service found
-      // then may just have come up, as when a cell starts, so it is called once more.
-      bool answered = ros::service::call(name, shared->service);
-      const bool exists = answered || ros::service::exists(name, false);
-      if (!answered && exists) answered = ros::service::call(name, shared->service);
-      shared->end.set_value(answered ? End::kAnswered : exists ? End::kNoAnswer : End::kNoService);
+      shared->end.set_value(call_once(name, shared->service));
     } catch (const std::exception& error) {  // from an invalid name
       ROS_ERROR("%s: %s", name.c_str(), error.what());
-      shared->end.set_value(End::kNoService);
+      shared->end.set_value(CallEnd::kNoService);
     }
   }).detach();
   const bool ended =
       future.wait_for(std::chrono::duration<double>(timeout)) == std::future_status::ready;
-  const End end = ended ? future.get() : End::kNoAnswer;
-  if (end == End::kNoService) {
-    throw scan_cell_common::ConnectionError(name, "no such service", "is its node running?");
-  }
-  if (end == End::kNoAnswer) {
-    throw scan_cell_common::ConnectionError(name, fmt::format("no answer within {:g} s", timeout),
-                                            "is its node alive?");
-  }
+  check_end(ended ? future.get() : CallEnd::kLate, name, timeout);
   return shared->service.response;
 }
 
