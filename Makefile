@@ -42,8 +42,9 @@ configure: dependencies src/CMakeLists.txt
 build: configure
 	@cmake --build $(BUILD) --parallel $(JOBS)
 
+# rviz opens only on a screen
 demo: configure
-	@cmake --build $(BUILD) --parallel $(JOBS) --target first_steps
+	@cmake --build $(BUILD) --parallel $(JOBS) --target first_steps $(if $(DISPLAY),scan_cell_rviz_panel)
 	@scripts/demo.sh
 
 bench: build
