@@ -10,6 +10,9 @@ macro(scan_cell_package)
   set(CMAKE_CXX_EXTENSIONS OFF)
   # A library whose source changed is not linked again into all that use it.
   set(CMAKE_LINK_DEPENDS_NO_SHARED ON)
+  # PCL's targets bring VTK and Qt along. Not every toolchain leaves out by default what is not used, and none does under
+  # sanitizers.
+  add_link_options(-Wl,--as-needed)
   add_compile_options(-Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Werror)
   if(CATKIN_ENABLE_TESTING)
     cmake_language(DEFER CALL _scan_cell_check_tests)  # before their sources are batches
