@@ -35,8 +35,8 @@ class AServiceCall : public testing::Test {
   void serve(const Answer& answer) { server_ = node_.advertiseService("/service", answer); }
 
   ros::NodeHandle node_;
-  ros::ServiceServer server_;
   std::atomic<int> calls_{0};
+  ros::ServiceServer server_;  // goes first: its calls may still be under way
 };
 
 TEST_F(AServiceCall, GivesTheAnswer) {
@@ -63,8 +63,8 @@ TEST_F(AServiceCall, SaysThatThereIsNoSuchService) {
 
 TEST_F(AServiceCall, DoesNotWaitForAServiceThatHangs) {
   std::promise<void> over;
-  serve([&](Request&, Response&) {
-    over.get_future().wait();
+  serve([until = over.get_future().share()](Request&, Response&) {
+    until.wait();
     return true;
   });
   EXPECT_NE(complaint_of_ask(0.2).find("no answer within 0.2 s"), std::string::npos);

@@ -26,9 +26,11 @@ CallEnd call_once(const std::string& name, Service& service) {
   // that answer (github.com/ros/ros_comm/issues/1976).
   constexpr bool kPersistent = true;
   ros::ServiceClient client = ros::service::createClient<Service>(name, kPersistent);
-  // Nothing was sent: the service may just have come up, as when a cell starts.
-  if (!client.isValid() && ros::service::exists(name, false))
+  if (!client.isValid()) {
+    // Nothing was sent: the service may just have come up, as when a cell starts.
+    if (!ros::service::exists(name, false)) return CallEnd::kNoService;
     client = ros::service::createClient<Service>(name, kPersistent);
+  }
   // Never called again: the service may have acted although its answer did not come.
   if (client.isValid() && client.call(service)) return CallEnd::kAnswered;
   return ros::service::exists(name, false) ? CallEnd::kLost : CallEnd::kNoService;
