@@ -208,7 +208,7 @@ TEST_F(CleanCloudFiles, AreNeverWrittenOverTheScan) {
 
 TEST_F(CleanCloudFiles, ToWriteAreRefusedByTheirNameBeforeTheWork) {
   EXPECT_EQ(run(to_part("scan.ply", "part.xyz")), 1);
-  expect_said("ending '.xyz'; write clouds as .ply or .pcd");
+  expect_said("extension '.xyz'; write clouds as .ply or .pcd");
   expect_not_said("floor");  // of the stages' lines
   EXPECT_EQ(run(to_part("scan.ply", "none/part.ply")), 1);
   expect_said("no folder");

@@ -24,7 +24,7 @@ def main():
     makers = {'.html': page, '.png': png}
     maker = makers.get(os.path.splitext(names.output)[1].lower())
     if maker is None:
-        sys.exit(f"history_chart.py: {names.output}: unknown ending; give .html or .png")
+        sys.exit(f"history_chart.py: {names.output}: unknown extension; give .html or .png")
     try:
         with open(names.data, encoding='utf-8') as file:
             data = json.load(file)

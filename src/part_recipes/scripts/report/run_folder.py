@@ -136,10 +136,10 @@ class RunFolder:
 
     def adapted(self):
         """File of the adapted path, or None. Further files may lie beside a program: the path has
-        the ending of its input."""
+        the extension of its input."""
         found = sorted(glob.glob(self.path('adapted_path.*')))
-        ending = os.path.splitext(self.input('path')[0] or '')[1].lower()
-        return next((file for file in found if file.lower().endswith(ending)), None)
+        extension = os.path.splitext(self.input('path')[0] or '')[1].lower()
+        return next((file for file in found if file.lower().endswith(extension)), None)
 
     def path_options(self):
         """Options for the path's file in the call of stretch."""

@@ -116,7 +116,7 @@ TEST_F(Files, ToWriteAreRefusedByTheirEndingOrFolderBeforeTheWork) {
     }
     return "nothing";
   };
-  EXPECT_EQ(refused("a.xyz"), "a.xyz: ending '.xyz'; write clouds as .ply or .pcd");
-  EXPECT_EQ(refused("a"), "a: ending ''; write clouds as .ply or .pcd");
+  EXPECT_EQ(refused("a.xyz"), "a.xyz: extension '.xyz'; write clouds as .ply or .pcd");
+  EXPECT_EQ(refused("a"), "a: extension ''; write clouds as .ply or .pcd");
   EXPECT_NE(refused(path("none/a.ply")).find("no folder"), std::string::npos);
 }

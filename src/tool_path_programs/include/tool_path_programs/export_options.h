@@ -14,7 +14,7 @@ namespace tool_path_programs {
 
 /// Options of the tools that write programs.
 struct ExportOptions {
-  std::string language;               //!< empty: from the program file's ending
+  std::string language;               //!< empty: from the program's extension
   std::string cell;                   //!< cell file: tool and user frame; empty: by name only
   std::string tool;                   //!< number or name of the tool on the controller
   std::string user;                   //!< number or name of the user frame on the controller

@@ -92,9 +92,10 @@ class Language {
  public:
   virtual ~Language() = default;
 
-  virtual std::string name() const = 0;                  //!< as used in options: krl
-  virtual std::string title() const = 0;                 //!< for display: KUKA KRL (KRC4)
-  virtual std::vector<std::string> endings() const = 0;  //!< of its files: .src, .dat; first main
+  virtual std::string name() const = 0;   //!< as used in options: krl
+  virtual std::string title() const = 0;  //!< for display: KUKA KRL (KRC4)
+  virtual std::vector<std::string> extensions()
+      const = 0;  //!< of its files: .src, .dat; first main
 
   /// @throw scan_cell_common::UnusableInput naming the first waypoint that the language cannot
   /// express, and the cure
@@ -138,7 +139,7 @@ const std::vector<const Language*>& languages();
 /// @throw scan_cell_common::InvalidParameter listing all names if no language has this one
 const Language& language_named(const std::string& name);
 
-/// The language of a file, by its ending; null: none has it.
+/// The language of a file, by its extension; null: none has it.
 const Language* language_of(const std::string& file);
 
 }  // namespace tool_path_programs

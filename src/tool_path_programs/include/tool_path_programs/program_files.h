@@ -10,7 +10,7 @@
 namespace tool_path_programs {
 
 /// Loads the files of a program: the main file, files beside it with the same name and another
-/// ending of the language (part.dat beside part.src), and others that it calls.
+/// extension of the language (part.dat beside part.src), and others that it calls.
 /// @throw scan_cell_common::FileError if a file cannot be read
 std::vector<SourceFile> load_program(const Language& language, const std::string& main,
                                      const std::vector<std::string>& others = {});

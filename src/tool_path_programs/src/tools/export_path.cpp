@@ -30,7 +30,7 @@ void add_options(CLI::App& app, Options& options) {
                "the path has no report: nothing says that it was accepted")
       ->excludes(report);
   app.add_option("--output", options.files.program,
-                 "file of the program; its name without the ending names the program. Further "
+                 "file of the program; its name without the extension names the program. Further "
                  "files of the program are written beside it")
       ->required();
   app.add_option("--units", options.units, "units of lengths in the path: m, mm or inch");

@@ -34,7 +34,7 @@ void check_bent(const Language& language, const ProgramText& text, const ReadSet
 
 void check_robot_program(const Language& language, const std::string& bytes,
                          const ReadSettings& settings) {
-  const std::vector<SourceFile> files = {{"part" + language.endings().front(), bytes}};
+  const std::vector<SourceFile> files = {{"part" + language.extensions().front(), bytes}};
   const ProgramText text = language.read(files, settings);
   promise(text.steps.size() == text.program.steps.size(), "each step has its place");
   std::vector<Eigen::Isometry3d> poses;

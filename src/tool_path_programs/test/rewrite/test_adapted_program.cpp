@@ -308,7 +308,7 @@ TEST(AdaptedProgram, RefusesArcsThatCannotBeSaidAsLines) {
   for (const auto& each : cases) {
     SCOPED_TRACE(each.language + ": " + each.other);
     const auto& language = language_named(each.language);
-    const std::string name = "part" + language.endings().front();
+    const std::string name = "part" + language.extensions().front();
     try {
       const auto result =
           bent_in_first_quarter(language, name, with(each.language, each.old, each.other));

@@ -235,5 +235,5 @@ TEST_F(PictureCommand, RefusesABadEndingBeforeTheWork) {
                               " --output " +
                               file("picture.txt") + " 2> " + file("stderr");
   EXPECT_NE(std::system(command.c_str()), 0);
-  EXPECT_NE(complaint().find("ending '.txt'"), std::string::npos) << complaint();
+  EXPECT_NE(complaint().find("extension '.txt'"), std::string::npos) << complaint();
 }

@@ -196,7 +196,7 @@ TEST_F(StretchCommand, NeverOverwritesWhatItReads) {
 TEST_F(StretchCommand, NeverReportsAPathThatIsNotThere) {
   EXPECT_EQ(run_into("out.txt", "report.json"), 1);
   EXPECT_EQ(report()["reason"], "unusable_input");
-  EXPECT_NE(text_of("stderr").find("ending '.txt'"), std::string::npos) << text_of("stderr");
+  EXPECT_NE(text_of("stderr").find("extension '.txt'"), std::string::npos) << text_of("stderr");
   EXPECT_EQ(run_into("no/such/folder/out.csv", "report.json"), 1);
   EXPECT_EQ(report()["reason"], "unusable_input");
   fs::create_directory(file("folder.csv"));
@@ -321,12 +321,12 @@ TEST_F(StretchCommand, ReportsTheHashesOfItsFiles) {
 
 TEST_F(StretchCommand, RefusesBadEndingsBeforeTheWork) {
   EXPECT_EQ(run_into("out.txt", "report.json", "no.ply"), 1);
-  EXPECT_NE(text_of("stderr").find("ending '.txt'"), std::string::npos) << text_of("stderr");
+  EXPECT_NE(text_of("stderr").find("extension '.txt'"), std::string::npos) << text_of("stderr");
   EXPECT_EQ(run_into("no/folder/out.csv", "report.json", "no.ply"), 1);
   EXPECT_NE(text_of("stderr").find("no folder"), std::string::npos) << text_of("stderr");
   std::ofstream(file("out.csv")) << "an old path";
   EXPECT_EQ(run_into("out.csv", "report.txt", "no.ply"), 1);
-  EXPECT_NE(text_of("stderr").find("report.txt: ending '.txt'"), std::string::npos)
+  EXPECT_NE(text_of("stderr").find("report.txt: extension '.txt'"), std::string::npos)
       << text_of("stderr");
   EXPECT_TRUE(left_no_path());
 }

@@ -40,7 +40,7 @@ class Draft {
 
   const fs::path& path() const { return draft_; }
 
-  /// @return name in the folder: `as` with the ending of the file
+  /// @return name in the folder: `as` with the extension of the file
   std::string add(const std::string& file, const std::string& as) const {
     if (file.empty()) return "";
     const std::string name = as + scan_cell_common::extension_of(file);

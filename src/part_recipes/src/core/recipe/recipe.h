@@ -33,7 +33,7 @@ struct Place {
 
 /// A robot program that is made from the adapted path.
 struct RobotProgram {
-  std::string file;     //!< its ending tells the language
+  std::string file;     //!< its extension tells the language
   ToolOptions options;  //!< of export_path
 };
 

@@ -131,8 +131,8 @@ Recipe parse_recipe(const YamlEntry& root) {
 }  // namespace
 
 bool is_robot_program(const RecipeFile& path) {
-  const std::string ending = scan_cell_common::extension_of(path.file);
-  return ending != ".csv" && ending != ".yaml" && ending != ".yml";
+  const std::string extension = scan_cell_common::extension_of(path.file);
+  return extension != ".csv" && extension != ".yaml" && extension != ".yml";
 }
 
 Recipe parse_recipe(const std::string& text, const std::string& name) {

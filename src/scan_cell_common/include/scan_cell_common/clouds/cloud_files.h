@@ -84,13 +84,13 @@ LoadedCloud parse_depth_profiles(std::string_view bytes, const std::string& sour
 pcl::PolygonMesh triangulated(const pcl::PolygonMesh& mesh, const std::string& source);
 
 /// Checks in advance what save_cloud() would refuse.
-/// @throw FileError if the ending is neither .ply nor .pcd, or the folder does not exist
+/// @throw FileError if the extension is neither .ply nor .pcd, or the folder does not exist
 void check_cloud_output(const std::string& path);
 
-/// Writes a binary cloud as PLY or PCD, by the file's ending. Whole or not at all: it writes a
+/// Writes a binary cloud as PLY or PCD, by the file's extension. Whole or not at all: it writes a
 /// temporary file beside it and renames that; on failure nothing is left behind.
 /// @param metres_per_unit of the file
-/// @throw FileError if it cannot be written or the ending is neither
+/// @throw FileError if it cannot be written or the extension is neither
 void save_cloud(const std::string& path, const Cloud& cloud, double metres_per_unit = 1);
 
 /// Removes points that are not finite, and returns their number.

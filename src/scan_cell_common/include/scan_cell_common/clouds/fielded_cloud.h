@@ -80,10 +80,10 @@ FieldedCloud with_fields(const Cloud& places, const CloudView& from,
 /// The bytes of a point.
 using PointAt = std::function<const std::uint8_t*(std::size_t index)>;
 
-/// Writes points, which need not be contiguous, as binary PLY or PCD, by the file's ending. Writes
-/// in blocks, without a second cloud in memory. Whole or not at all.
+/// Writes points, which need not be contiguous, as binary PLY or PCD, by the file's extension.
+/// Writes in blocks, without a second cloud in memory. Whole or not at all.
 /// @param metres_per_unit of the file; x, y and z, and vp_x, vp_y and vp_z, are metres in the cloud
-/// @throw FileError if it cannot be written or the ending is neither
+/// @throw FileError if it cannot be written or the extension is neither
 /// @throw UnusableInput if x, y or z is missing or not float32
 void save_cloud(const std::string& path, const std::vector<CloudField>& fields, std::size_t points,
                 const PointAt& at, double metres_per_unit = 1);

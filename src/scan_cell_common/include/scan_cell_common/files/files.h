@@ -12,7 +12,7 @@ namespace scan_cell_common {
 /// @throw FileError if it is missing, larger, unreadable, or a folder, device or pipe
 std::string read_file(const std::string& path);
 
-/// The ending of a file's name in lower case, with its dot.
+/// The extension of a file's name in lower case, with its dot.
 std::string extension_of(const std::string& path);
 
 /// Writes a file whole or not at all: `write` writes a temporary file beside it, which is then
@@ -29,12 +29,12 @@ void save_text(const std::string& path, const std::string& text);
 /// @throw FileError if `written` is one of the others; empty names are ignored
 void refuse_overwriting(const std::string& written, const std::vector<std::string>& others);
 
-/// Checks what can be checked of a file to be written before the work that fills it: its ending,
+/// Checks what can be checked of a file to be written before the work that fills it: its extension,
 /// and that its folder exists.
-/// @param endings allowed, in lower case, with the dot
+/// @param extensions allowed, in lower case, with the dot
 /// @param cure names them: "write clouds as .ply or .pcd"
 /// @throw FileError
-void check_output(const std::string& path, const std::vector<std::string>& endings,
+void check_output(const std::string& path, const std::vector<std::string>& extensions,
                   const std::string& cure);
 
 }  // namespace scan_cell_common

@@ -28,10 +28,10 @@ bool is_finite(const pcl::PointXYZ& point) {
   return std::isfinite(point.x) && std::isfinite(point.y) && std::isfinite(point.z);
 }
 
-const std::vector<std::string> kTextEndings = {".xyz", ".csv", ".txt", ".asc"};
+const std::vector<std::string> kTextExtensions = {".xyz", ".csv", ".txt", ".asc"};
 
-bool is_one_of(const std::string& ending, const std::vector<std::string>& endings) {
-  return std::find(endings.begin(), endings.end(), ending) != endings.end();
+bool is_one_of(const std::string& extension, const std::vector<std::string>& extensions) {
+  return std::find(extensions.begin(), extensions.end(), extension) != extensions.end();
 }
 
 bool has_profiles(const CloudFormat& format) {
@@ -109,9 +109,9 @@ void finish(const std::string& path, const CloudFormat& format, FieldedCloud* ca
 LoadedCloud load(const std::string& path, const CloudFormat& format, FieldedCloud* carried) {
   const bool profiles = has_profiles(format);
   const std::string extension = extension_of(path);
-  const bool text = is_one_of(extension, kTextEndings);
+  const bool text = is_one_of(extension, kTextExtensions);
   if (!text && extension != ".ply" && extension != ".pcd") {
-    throw FileError(path, "ending '" + extension + "'",
+    throw FileError(path, "extension '" + extension + "'",
                     "give a cloud as .ply, .pcd, .xyz, .csv, .txt or .asc");
   }
   if (profiles && !text) {
@@ -170,7 +170,7 @@ Cloud load_cloud(const std::string& path, double metres_per_unit) {
 pcl::PolygonMesh load_mesh(const std::string& path, double metres_per_unit) {
   const std::string extension = extension_of(path);
   if (!is_one_of(extension, {".stl", ".obj", ".ply"})) {
-    throw FileError(path, "ending '" + extension + "'", "give a mesh as .stl, .obj or .ply");
+    throw FileError(path, "extension '" + extension + "'", "give a mesh as .stl, .obj or .ply");
   }
   const std::string bytes = read_file(path);
   pcl::PolygonMesh mesh = extension == ".stl"   ? parse_stl(bytes, path)

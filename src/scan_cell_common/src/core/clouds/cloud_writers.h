@@ -18,7 +18,7 @@ struct PointsToWrite {
 };
 
 /// Writes every cloud of the suite.
-/// @throw FileError if the file cannot be written or its ending is neither .ply nor .pcd
+/// @throw FileError if the file cannot be written or its extension is neither .ply nor .pcd
 void write_cloud(const std::string& path, const PointsToWrite& points, double metres_per_unit);
 
 /// @throw UnusableInput naming the one of x, y and z that is missing or not float32

@@ -93,11 +93,11 @@ void refuse_overwriting(const std::string& written, const std::vector<std::strin
   }
 }
 
-void check_output(const std::string& path, const std::vector<std::string>& endings,
+void check_output(const std::string& path, const std::vector<std::string>& extensions,
                   const std::string& cure) {
-  const std::string ending = extension_of(path);
-  if (std::find(endings.begin(), endings.end(), ending) == endings.end()) {
-    throw FileError(path, "ending '" + ending + "'", cure);
+  const std::string extension = extension_of(path);
+  if (std::find(extensions.begin(), extensions.end(), extension) == extensions.end()) {
+    throw FileError(path, "extension '" + extension + "'", cure);
   }
   std::error_code failure;
   const fs::path folder = fs::path(path).parent_path();

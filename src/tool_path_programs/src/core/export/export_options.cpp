@@ -47,7 +47,7 @@ WrittenProgram noether_yaml(const tool_paths::ToolPath& path, const std::string&
 const Language& language_for(const ExportOptions& options, const std::string& program) {
   if (!options.language.empty()) return language_named(options.language);
   if (const Language* language = language_of(program)) return *language;
-  throw scan_cell_common::InvalidParameter("program " + program, "no language has its file ending",
+  throw scan_cell_common::InvalidParameter("program " + program, "no language has its extension",
                                            "give --language: " + language_names());
 }
 
@@ -66,7 +66,7 @@ Frames frames_of(const ExportOptions& options) {
 
 void ExportOptions::add(CLI::App& app) {
   app.add_option("--language", language,
-                 language_names() + "; default: by the program's file ending");
+                 language_names() + "; default: by the program's extension");
   app.add_option("--dialect", settings.dialect,
                  "controller, for languages with several (docs/robot_programs.md)");
   app.add_option(

@@ -12,7 +12,7 @@ class Fanuc : public Language {
  public:
   std::string name() const override { return "fanuc"; }
   std::string title() const override { return "FANUC TP (LS)"; }
-  std::vector<std::string> endings() const override { return {".ls"}; }
+  std::vector<std::string> extensions() const override { return {".ls"}; }
 
   WrittenProgram write(const Program& program, const WriteSettings& settings) const override {
     return write_fanuc(program, settings);

@@ -13,7 +13,7 @@ class Gcode : public Language {
  public:
   std::string name() const override { return "gcode"; }
   std::string title() const override { return "G-code"; }
-  std::vector<std::string> endings() const override { return {".ngc", ".nc", ".gcode", ".tap"}; }
+  std::vector<std::string> extensions() const override { return {".ngc", ".nc", ".gcode", ".tap"}; }
 
   WrittenProgram write(const Program& program, const WriteSettings& settings) const override {
     return write_gcode(program, settings);

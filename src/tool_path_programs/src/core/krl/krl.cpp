@@ -12,7 +12,7 @@ class Krl : public Language {
  public:
   std::string name() const override { return "krl"; }
   std::string title() const override { return "KUKA KRL (KRC4, KRC2)"; }
-  std::vector<std::string> endings() const override { return {".src", ".dat"}; }
+  std::vector<std::string> extensions() const override { return {".src", ".dat"}; }
   WrittenProgram write(const Program& program, const WriteSettings& settings) const override {
     return write_krl(program, settings);
   }

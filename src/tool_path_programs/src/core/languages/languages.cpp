@@ -30,11 +30,11 @@ const Language& language_named(const std::string& name) {
 }
 
 const Language* language_of(const std::string& file) {
-  const std::string ending = scan_cell_common::extension_of(file);
+  const std::string extension = scan_cell_common::extension_of(file);
   const auto found =
       std::find_if(languages().begin(), languages().end(), [&](const Language* language) {
-        const std::vector<std::string> endings = language->endings();
-        return std::find(endings.begin(), endings.end(), ending) != endings.end();
+        const std::vector<std::string> extensions = language->extensions();
+        return std::find(extensions.begin(), extensions.end(), extension) != extensions.end();
       });
   return found == languages().end() ? nullptr : *found;
 }

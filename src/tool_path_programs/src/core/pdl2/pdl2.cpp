@@ -12,7 +12,7 @@ class Pdl2 : public Language {
  public:
   std::string name() const override { return "pdl2"; }
   std::string title() const override { return "Comau PDL2 (C5G, C4G)"; }
-  std::vector<std::string> endings() const override { return {".pdl", ".lsv"}; }
+  std::vector<std::string> extensions() const override { return {".pdl", ".lsv"}; }
   WrittenProgram write(const Program& program, const WriteSettings& settings) const override {
     return write_pdl2(program, settings);
   }

@@ -12,7 +12,7 @@ class Rapid : public Language {
  public:
   std::string name() const override { return "rapid"; }
   std::string title() const override { return "ABB RAPID (IRC5, OmniCore)"; }
-  std::vector<std::string> endings() const override { return {".mod", ".modx", ".prg"}; }
+  std::vector<std::string> extensions() const override { return {".mod", ".modx", ".prg"}; }
 
   WrittenProgram write(const Program& program, const WriteSettings& settings) const override {
     return write_rapid(program, settings);

@@ -11,12 +11,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// part.dat beside part.src, with the ending in either case.
-std::string companion(const fs::path& main, const std::string& ending) {
+/// part.dat beside part.src, with the extension in either case.
+std::string companion(const fs::path& main, const std::string& extension) {
   for (const fs::directory_entry& entry :
        fs::directory_iterator(main.has_parent_path() ? main.parent_path() : fs::path(".")))
     if (entry.path().stem() == main.stem() && entry.path() != main &&
-        scan_cell_common::extension_of(entry.path().string()) == ending)
+        scan_cell_common::extension_of(entry.path().string()) == extension)
       return entry.path().string();
   return "";
 }
@@ -27,9 +27,9 @@ std::vector<SourceFile> load_program(const Language& language, const std::string
                                      const std::vector<std::string>& others) {
   std::vector<std::string> paths = {main};
   const std::string text = scan_cell_common::read_file(main);
-  for (const std::string& ending : language.endings()) {
-    if (ending == scan_cell_common::extension_of(main)) continue;
-    const std::string found = companion(main, ending);
+  for (const std::string& extension : language.extensions()) {
+    if (extension == scan_cell_common::extension_of(main)) continue;
+    const std::string found = companion(main, extension);
     if (!found.empty()) paths.push_back(found);
   }
   paths.insert(paths.end(), others.begin(), others.end());

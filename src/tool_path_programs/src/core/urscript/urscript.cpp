@@ -12,7 +12,7 @@ class Urscript : public Language {
  public:
   std::string name() const override { return "urscript"; }
   std::string title() const override { return "Universal Robots URScript"; }
-  std::vector<std::string> endings() const override { return {".script"}; }
+  std::vector<std::string> extensions() const override { return {".script"}; }
 
   WrittenProgram write(const Program& program, const WriteSettings& settings) const override {
     return write_urscript(program, settings);

@@ -18,7 +18,7 @@ Format format_of(const std::string& path) {
   const std::string extension = scan_cell_common::extension_of(path);
   if (extension == ".csv") return Format::kCsv;
   if (extension == ".yaml" || extension == ".yml") return Format::kYaml;
-  throw FileError(path, "ending '" + extension + "'", "give a tool path as .csv or .yaml");
+  throw FileError(path, "extension '" + extension + "'", "give a tool path as .csv or .yaml");
 }
 
 }  // namespace

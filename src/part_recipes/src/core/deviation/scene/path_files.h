@@ -19,7 +19,7 @@ struct PathReading {
   bool program_in_base = false;                //!< the path is in the robot's base
 };
 
-/// Reads a tool path from CSV, YAML or a robot's program, by the file's ending.
+/// Reads a tool path from CSV, YAML or a robot's program, by the file's extension.
 /// @throw scan_cell_common::Error of the reader
 tool_paths::ToolPathFile load_path(const std::string& file, const PathReading& reading);
 
