@@ -12,19 +12,22 @@ threaded_tests=(scan_cell_common/core scan_cell_common/net c4g_driver/core c4g_d
   tecnogamma_camera/core tecnogamma_camera/recordings tecnogamma_camera/aravis laser_triangulation/core
   cloud_preprocess/core scan_calibration/estimate scan_calibration/calibrate)
 
-# Debian's nodelet loads our libraries late, but the sanitizer's library must come first.
-wrap_nodelet() {
-  local folder=$tree/devel/lib/nodelet
+# Debian's nodelet and rviz load our libraries late, but the sanitizer's library must come first.
+# preload PROGRAM [ASAN_OPTION]   puts a wrapper where roslaunch and rosrun look first
+preload() {
+  local folder=$tree/devel/lib/$1
   mkdir -p "$folder"
-  printf '#!/bin/sh\nLD_PRELOAD=%s exec /usr/lib/nodelet/nodelet "$@"\n' "$(gcc -print-file-name=libasan.so)" \
-    >"$folder/nodelet"
-  chmod +x "$folder/nodelet"
+  printf '#!/bin/sh\nASAN_OPTIONS=$ASAN_OPTIONS:%s LD_PRELOAD=%s exec /usr/lib/%s/%s "$@"\n' "${2:-}" \
+    "$(gcc -print-file-name=libasan.so)" "$1" "$1" >"$folder/$1"
+  chmod +x "$folder/$1"
 }
 
 addresses() {
-  wrap_nodelet
+  preload nodelet
+  preload rviz detect_leaks=0  # its own; those of our panel show in the panel's tests
   local common="log_path=$reports/report:print_stacktrace=1:halt_on_error=1"
-  export ASAN_OPTIONS="$common:detect_stack_use_after_return=1:strict_string_checks=1:check_initialization_order=1"
+  export ASAN_OPTIONS="$common:suppressions=$PWD/scripts/sanitizers/addresses.txt"
+  ASAN_OPTIONS+=":detect_stack_use_after_return=1:strict_string_checks=1:check_initialization_order=1"
   export UBSAN_OPTIONS="$common"
   export LSAN_OPTIONS="suppressions=$PWD/scripts/sanitizers/leaks.txt:print_suppressions=0"
   # Under the sanitizer Eigen would use its own allocator, but PCL's libraries free memory that we allocated.
