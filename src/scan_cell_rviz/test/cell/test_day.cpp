@@ -3,9 +3,6 @@
 // A day at the seat with a fake recipes node: run after run is scanned, cleaned, approved and
 // worked.
 #include <gtest/gtest.h>
-#ifdef __SANITIZE_ADDRESS__
-#include <sanitizer/allocator_interface.h>
-#endif
 #include <unistd.h>
 
 #include <QApplication>
@@ -17,6 +14,10 @@
 #include <vector>
 
 #include "fixtures/a_seat.h"
+
+#ifdef __SANITIZE_ADDRESS__
+extern "C" std::size_t __sanitizer_get_current_allocated_bytes();  // GCC comes without its header
+#endif
 
 namespace scan_cell_rviz {
 namespace {
