@@ -56,7 +56,8 @@ class GigeCamera {
   struct Counts {
     std::uint64_t pulses = 0;           //!< all
     std::uint64_t ignored = 0;          //!< not acquiring, or not in trigger mode
-    std::uint64_t overrun = 0;          //!< too soon after the one before, or too many pending
+    std::uint64_t too_soon = 0;         //!< lost: less than min_period after the one before
+    std::uint64_t queue_full = 0;       //!< lost: max_pending frames were to be sent
     std::uint64_t lost_on_purpose = 0;  //!< by CameraFaults
     std::uint64_t discarded = 0;        //!< pending when acquisition stopped
     std::uint64_t frames = 0;           //!< sent, free-running ones included

@@ -132,7 +132,8 @@ SimulatorServices::SimulatorServices(ros::NodeHandle node, const Parameters& par
       load_world_(node.advertiseService("load_world", &SimulatorServices::load, this)),
       set_faults_(node.advertiseService("set_faults", &SimulatorServices::set, this)),
       timer_(node.createWallTimer(ros::WallDuration(1 / parameters.true_flange_rate),
-                                  &SimulatorServices::publish_robot, this)) {
+                                  &SimulatorServices::publish_robot, this)),
+      lost_pulses_(node, cell_.camera(), parameters.options.camera) {
   publish_parts(load_world(parameters.world));
   cell_.observe([this](const Cell::TrueExposure& exposure) { publish_exposure(exposure); });
 }

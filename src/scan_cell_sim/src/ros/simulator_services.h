@@ -8,6 +8,7 @@
 
 #include <string>
 
+#include "lost_pulses.h"
 #include "parameters.h"
 
 namespace scan_cell_sim {
@@ -40,6 +41,7 @@ class SimulatorServices {
   ros::ServiceServer load_world_;
   ros::ServiceServer set_faults_;
   ros::WallTimer timer_;
+  LostPulses lost_pulses_;
 };
 
 }  // namespace scan_cell_sim

@@ -113,7 +113,7 @@ TEST_F(CameraTest, PulsesTooSoonAreLostAndCounted) {
   const Nanoseconds time = first_pulse(1);
   camera_.pulse({time + 1'000'000, 1});
   camera_.pulse({time + 2'000'000, 1});
-  EXPECT_EQ(camera_.counts().overrun, 1U);
+  EXPECT_EQ(camera_.counts().too_soon, 1U);
   EXPECT_EQ(client.next().time, time);
   EXPECT_EQ(client.next().time, time + 2'000'000);
 }

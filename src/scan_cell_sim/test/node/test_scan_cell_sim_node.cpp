@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 #include <ros/package.h>
 #include <ros/ros.h>
+#include <rosgraph_msgs/Log.h>
 #include <scan_cell_msgs/LoadWorld.h>
 #include <scan_cell_msgs/SetFaults.h>
 #include <sys/socket.h>
@@ -139,6 +140,29 @@ TEST(SimulatorNode, ServesACameraThatShowsTheLaserThatIsOn) {
   EXPECT_GT(client.pulse(0b010), 400);
   EXPECT_EQ(client.pulse(0b000), 0);
   EXPECT_GT(client.pulse(0b100), 400);
+}
+
+TEST(SimulatorNode, SaysWhichPulsesTheCameraCouldNotTake) {
+  ASSERT_TRUE(set_faults().success);
+  std::string said;
+  ros::NodeHandle node;
+  const boost::function<void(const rosgraph_msgs::Log&)> listen =
+      [&said](const rosgraph_msgs::Log& line) {
+        if (line.name == "/scan_cell_sim") said += line.msg + "\n";
+      };
+  const auto subscriber = node.subscribe<rosgraph_msgs::Log>("/rosout", 100, listen);
+  ASSERT_TRUE(wait_until([&] { return subscriber.getNumPublishers() > 0; }));
+  Client client;
+  ASSERT_GT(client.pulse(0b010), 400);
+  ros::spinOnce();
+  EXPECT_EQ(said.find("pulses lost"), std::string::npos) << said;
+  EXPECT_TRUE(wait_until([&] {
+    for (int i = 0; i < 4; ++i)
+      write_circuit(i % 2);  // two pulses within camera/min_period
+    ros::spinOnce();
+    return said.find("pulses lost; less than 0.002 s after") != std::string::npos;
+  })) << said;
+  EXPECT_EQ(said.find("camera/max_pending"), std::string::npos) << said;
 }
 
 TEST(SimulatorNode, UnplugsTheCameraAndPlugsItInAgain) {

@@ -108,9 +108,12 @@ class GigeCamera::Implementation {
       ++counts_.ignored;
       return;
     }
-    const bool too_soon = pulse.time - last_pulse_ < from_seconds(options_.min_period);
-    if (too_soon || pending_.size() >= static_cast<std::size_t>(options_.max_pending)) {
-      ++counts_.overrun;
+    if (pulse.time - last_pulse_ < from_seconds(options_.min_period)) {
+      ++counts_.too_soon;
+      return;
+    }
+    if (pending_.size() >= static_cast<std::size_t>(options_.max_pending)) {
+      ++counts_.queue_full;
       return;
     }
     last_pulse_ = pulse.time;
