@@ -43,10 +43,10 @@ class Cell {
 
     EIGEN_MAKE_ALIGNED_OPERATOR_NEW
   };
-  /// Called with each frame that is sent.
+  /// Called with each frame that is drawn; sent unless the acquisition ends.
   using Observer = std::function<void(const TrueExposure&)>;
 
-  /// Sets the observer that is called before each frame is sent, in the camera's thread; none if
+  /// Sets the observer that is called before each frame is sent, in the drawer's thread; none if
   /// empty. When this returns, the previous observer is no longer called.
   void observe(const Observer& observer);
 

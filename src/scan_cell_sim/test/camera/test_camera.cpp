@@ -1,5 +1,7 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
+#include <atomic>
+
 #include "camera/gige_client.h"
 
 namespace scan_cell_sim {
@@ -116,6 +118,27 @@ TEST_F(CameraTest, PulsesTooSoonAreLostAndCounted) {
   EXPECT_EQ(camera_.counts().too_soon, 1U);
   EXPECT_EQ(client.next().time, time);
   EXPECT_EQ(client.next().time, time + 2'000'000);
+}
+
+TEST(CameraOnASlowWire, DrawsTheNextFrameWhileOneIsSent) {
+  CameraOptions options = camera_options();
+  options.wire_rate = 5e5;  // [bytes/s] a frame takes a second
+  std::atomic<int> drawn{0};
+  const auto draw = [&drawn](const GigeCamera::Shot& shot, const Region& region,
+                             std::uint8_t* pixels) {
+    draw_shot(shot, region, pixels);
+    ++drawn;
+  };
+  GigeCamera camera(options, draw, [] { return std::uint8_t{2}; });
+  Client client;
+  ASSERT_TRUE(client.connected());
+  client.start(true);
+  ASSERT_TRUE(wait_until([&] {
+    camera.pulse({host_now(), 1});
+    return drawn >= 2;
+  }));
+  EXPECT_TRUE(client.next(0.1).pixels.empty()) << "the first was sent before the second was drawn";
+  EXPECT_FALSE(client.next().pixels.empty());
 }
 
 TEST_F(CameraTest, FramesOfTheLastAcquisitionAreNotSentInTheNext) {

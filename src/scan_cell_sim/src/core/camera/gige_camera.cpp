@@ -16,6 +16,7 @@
 #include <random>
 #include <thread>
 
+#include "camera/frame_drawer.h"
 #include "camera/frame_sender.h"
 #include "scan_cell_common/clock/host_clock.h"
 #include "scan_cell_common/errors/errors.h"
@@ -89,7 +90,8 @@ class Bell {
 
 }  // namespace
 
-/// Pulses arrive in any thread; the camera's own thread answers its client, renders and sends.
+/// Pulses arrive in any thread; the camera's own thread answers its client and sends, while the
+/// drawer's thread draws the next frame.
 class GigeCamera::Implementation {
  public:
   Implementation(const CameraOptions& options, Render render,
@@ -162,35 +164,44 @@ class GigeCamera::Implementation {
 
  private:
   void run(ControlServer& server, FrameSender& sender) {
+    FrameDrawer drawer(render_, [this] { bell_.ring(); });
     Nanoseconds next_free = 0;  // frame of the free run
     while (powered_) {
       const Nanoseconds now = host_now();
       server.serve(now, [&sender](const auto& request) { sender.request(request); });
-      follow(server, sender);
+      follow(server, drawer, sender);
       if (!sender.busy()) {
+        if (std::optional<gige::Frame> frame = drawer.take()) {
+          sender.begin(std::move(*frame), server.packet_size(), count_frame());
+        }
+      }
+      if (drawer.idle()) {
         if (const std::optional<Shot> shot = next_shot(server, now, next_free)) {
-          expose(*shot, server, sender);
+          expose(*shot, server, drawer, sender.spare_pixels());
         }
       }
       if (sender.busy()) sender.send(host_now(), server.stream_peer());
-      const bool free_run = server.acquires() && !server.in_trigger_mode();
-      wait(server, sender.busy() ? sender.next() : free_run ? next_free : exposed(server, now));
+      Nanoseconds until = now + kIdle;
+      if (sender.busy()) until = sender.next();
+      if (drawer.idle()) until = std::min(until, next_exposed(server, now, next_free));
+      wait(server, until);
     }
-    stop(sender);
+    stop(drawer, sender);
   }
 
   /// Frames of an acquisition that has ended are not sent in the next.
-  void follow(const ControlServer& server, FrameSender& sender) {
-    if (!server.acquires()) stop(sender);
+  void follow(const ControlServer& server, FrameDrawer& drawer, FrameSender& sender) {
+    if (!server.acquires()) stop(drawer, sender);
     const std::lock_guard<std::mutex> lock(mutex_);
     waits_for_pulses_ = server.acquires() && server.in_trigger_mode() && server.triggered_by_line();
   }
 
-  void stop(FrameSender& sender) {
+  void stop(FrameDrawer& drawer, FrameSender& sender) {
     sender.abort();
+    const bool dropped = drawer.drop();
     const std::lock_guard<std::mutex> lock(mutex_);
     waits_for_pulses_ = false;
-    counts_.discarded += pending_.size();
+    counts_.discarded += pending_.size() + (dropped ? 1 : 0);
     pending_.clear();
     last_pulse_ = 0;
   }
@@ -215,8 +226,10 @@ class GigeCamera::Implementation {
     return shot.time + from_seconds(server.exposure());
   }
 
-  /// When the exposure of the next pulse's frame ends.
-  Nanoseconds exposed(const ControlServer& server, Nanoseconds now) const {
+  /// When the exposure of the next frame ends.
+  Nanoseconds next_exposed(const ControlServer& server, Nanoseconds now,
+                           Nanoseconds next_free) const {
+    if (server.acquires() && !server.in_trigger_mode()) return next_free;
     const std::lock_guard<std::mutex> lock(mutex_);
     return pending_.empty() ? now + kIdle : end_of_exposure(pending_.front(), server);
   }
@@ -230,24 +243,25 @@ class GigeCamera::Implementation {
     return shot;
   }
 
-  void expose(Shot shot, const ControlServer& server, FrameSender& sender) {
-    gige::PacketFaults faults;
-    {
-      const std::lock_guard<std::mutex> lock(mutex_);
-      ++counts_.frames;
-      faults = {faults_.lost_packets, faults_.packets_lost_once, faults_.seed};
-    }
+  /// @return the faults of its packets
+  gige::PacketFaults count_frame() {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    ++counts_.frames;
+    return {faults_.lost_packets, faults_.packets_lost_once, faults_.seed};
+  }
+
+  void expose(Shot shot, const ControlServer& server, FrameDrawer& drawer,
+              std::vector<std::uint8_t> pixels) const {
     shot.exposure = server.exposure();
     shot.gain = server.gain();
     gige::Frame frame;
     frame.block = block_of(shot.frame);
     frame.time = shot.time;
     frame.region = on_sensor(server.region());
-    frame.pixels = sender.spare_pixels();
+    frame.pixels = std::move(pixels);
     frame.pixels.resize(static_cast<std::size_t>(frame.region.width) *
                         static_cast<std::size_t>(frame.region.height));
-    render_(shot, frame.region, frame.pixels.data());
-    sender.begin(std::move(frame), server.packet_size(), faults);
+    drawer.begin(shot, std::move(frame));
   }
 
   /// A client may write any number into a register.
