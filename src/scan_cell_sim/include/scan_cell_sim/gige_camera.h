@@ -23,7 +23,7 @@ struct CameraOptions {
   Region region = {336, 599, 1024, 512};  //!< at power-up
   double min_period = 0.002;  //!< [s] of the sensor: an earlier pulse after the last one is lost
   double wire_rate = 125e6;   //!< [bytes/s] Gigabit Ethernet
-  int max_pending = 200;      //!< frames kept for sending; a pulse beyond them is lost
+  int max_pending = 1000;     //!< shots to be drawn and sent; a pulse beyond them is lost
 };
 
 /// Injected faults.
