@@ -20,7 +20,8 @@ static void describe(ParameterTable& table, CameraOptions& camera) {
   table.add("min_period", camera.min_period, {0, 1, "s"}, "shortest time between two exposures");
   table.renamed("least_period", "min_period");
   table.add("wire_rate", camera.wire_rate, {1e6, 1e10, "bytes/s"}, "Gigabit Ethernet");
-  table.add("max_pending", camera.max_pending, {1, 10000}, "pulses whose frames are still to be drawn and sent; more are lost");
+  table.add("max_pending", camera.max_pending, {1, 10000},
+            "pulses whose frames are still to be drawn and sent; more are lost");
   table.renamed("most_pending", "max_pending");
 }
 
