@@ -7,6 +7,7 @@ import glob
 import os
 import signal
 import subprocess
+import threading
 import time
 import unittest
 import xml.etree.ElementTree as ElementTree
@@ -19,6 +20,7 @@ import rostest
 from bond.msg import Status
 from catkin.find_in_workspaces import find_in_workspaces
 from nodelet.srv import NodeletList
+from scan_cell_msgs.srv import FinishCloud, StartScan
 
 PACKAGES = rospkg.RosPack()
 SOURCES = os.path.join(os.path.dirname(os.path.realpath(__file__)), '../../..')
@@ -162,6 +164,24 @@ class NodeEndings(unittest.TestCase):
                 process, name = self.start(package, program, *words)
                 self.wait_until_it_runs(process, name)
                 self.end(process, name, number, program)
+
+    def test_a_node_ends_cleanly_amid_a_call(self):
+        process, name = self.start('laser_triangulation', 'laser_triangulation_node', '_scanner:=' + SCANNER)
+        self.wait_until_it_runs(process, name)
+        start, finish = rospy.ServiceProxy(name + '/start', StartScan), rospy.ServiceProxy(name + '/finish', FinishCloud)
+
+        def wait_in_vain():
+            try:
+                finish(profiles=1, timeout=rospy.Duration(2))
+            except rospy.ServiceException:  # the node has ended
+                pass
+
+        self.assertTrue(start(scan_id='amid a call').success)
+        call = threading.Thread(target=wait_in_vain)
+        call.start()
+        wait_for(lambda: not start(scan_id='amid a call').success, 'the call has begun')
+        self.end(process, name, signal.SIGTERM, 'laser_triangulation_node')
+        call.join()
 
     def test_each_nodelet_on_its_own_ends_cleanly(self):
         for nodelet, words in NODELETS.items():

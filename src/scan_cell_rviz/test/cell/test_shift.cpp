@@ -24,6 +24,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
+#ifdef __SANITIZE_ADDRESS__
+constexpr const char* kScanProgram = SLOW_SCAN_PROGRAM;  // everything is several times slower
+#else
+constexpr const char* kScanProgram = SCAN_PROGRAM;
+#endif
 constexpr int kPatience = 240000;  // [ms] a scan takes 10 to 20 s, work a bit longer
 
 void rosrun(std::vector<std::string> command) {
@@ -36,13 +41,13 @@ void rosrun(std::vector<std::string> command) {
 /// recipe.
 void make_recipe(const std::string& folder) {
   const std::string cloud = folder + "/part.ply", path = folder + "/path.csv";
-  rosrun({"scan_cell", "scan", "--program", SCAN_PROGRAM, "--clean", cloud});
+  rosrun({"scan_cell", "scan", "--program", kScanProgram, "--clean", cloud});
   rosrun({"scan_cell_sim", "ground_truth", "tool_path", "--world",
           ros::param::param<std::string>("/scan_cell_sim/world", ""), "--part", "frame", "--output",
           path});
   rosrun({"part_recipes", "recipe", "--recipes", folder + "/recipes", "new", "frame", "--reference",
-          cloud, "--path", path, "--program", SCAN_PROGRAM, "--work", "waypoint_z=into_part",
-          "--check-program", SCAN_PROGRAM});
+          cloud, "--path", path, "--program", kScanProgram, "--work", "waypoint_z=into_part",
+          "--check-program", kScanProgram});
 }
 
 class AShift : public testing::Test {

@@ -25,8 +25,8 @@ int services_main(int argc, char** argv, const std::string& name, const std::str
   return node_main<Parameters>(argc, argv, name, description, [] {
     ros::NodeHandle node;
     ros::NodeHandle private_node("~");
-    ros::AsyncSpinner spinner(kServiceThreads);
     const Services services(node, private_node, load_parameters<Parameters>(private_node));
+    ros::AsyncSpinner spinner(kServiceThreads);  // last: calls end before the services do
     spinner.start();
     ros::waitForShutdown();
   });
