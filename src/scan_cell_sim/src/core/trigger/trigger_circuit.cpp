@@ -138,8 +138,8 @@ bool TriggerCircuit::set_lines(std::uint8_t data, Nanoseconds time) {
     }
   }
   if (lasers != state_.lasers) changes_.push_back({time, lasers});
-  // [ns] a busy computer draws frames later: 1000 pending ones (CameraOptions::max_pending) at 50 ms
-  // each, and an exposure; chosen
+  // [ns] a busy computer draws frames later: 1000 pending ones (CameraOptions::max_pending) at 50
+  // ms each, and an exposure; chosen
   constexpr Nanoseconds kKept = 60'000'000'000;
   while (changes_.size() > 1 && changes_[1].time < time - kKept)
     changes_.pop_front();
