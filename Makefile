@@ -30,14 +30,11 @@ src/CMakeLists.txt:
 	@ln -s /usr/share/catkin/cmake/toplevel.cmake $@
 
 # -g1 keeps the lines in stack traces and takes a quarter less compile time than -g.
-# catkin stores the environment of the first configure for the tests, and leaves out directories that do not exist yet.
 configure: dependencies src/CMakeLists.txt
-	@mkdir -p $(BUILD) $(DEVEL)/lib/pkgconfig $(DEVEL)/lib/python3/dist-packages
-	@cmake -S src -B $(BUILD) -G Ninja -DCATKIN_DEVEL_PREFIX=$(abspath $(DEVEL)) -DCMAKE_INSTALL_PREFIX=$(CURDIR)/install \
+	@scripts/configure.sh $(BUILD) $(DEVEL) -DCMAKE_INSTALL_PREFIX=$(CURDIR)/install \
 	  -DCMAKE_BUILD_TYPE=RelWithDebInfo -DCMAKE_CXX_FLAGS_RELWITHDEBINFO='$(FLAGS)' \
 	  -DSCAN_CELL_BATCH=$(BATCH) -DPYTHON_EXECUTABLE=/usr/bin/python3 -DPython3_EXECUTABLE=/usr/bin/python3 \
-	  -DCMAKE_CXX_COMPILER_LAUNCHER='$(CCACHE)' > $(BUILD)/configure.log 2>&1 \
-	  || { cat $(BUILD)/configure.log; exit 1; }
+	  -DCMAKE_CXX_COMPILER_LAUNCHER='$(CCACHE)'
 
 build: configure
 	@cmake --build $(BUILD) --parallel $(JOBS)

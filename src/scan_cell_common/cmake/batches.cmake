@@ -1,6 +1,6 @@
 # Batches: some sources of a target are compiled as one, so that what they include is read once and not once a source.
-# SCAN_CELL_BATCH is how many at most; 1 compiles each alone. A folder's sources share their anonymous namespace: no two
-# may give one name to two things there, tests neither.
+# SCAN_CELL_BATCH is how many at most; 1 compiles each alone. A target's property of that name makes its batches smaller.
+# A folder's sources share their anonymous namespace: no two may give one name to two things there, tests neither.
 #
 # CMake's own unity builds name the sources by their whole paths (up to CMake 3.29), so that a compiler cache never finds
 # what another checkout compiled.
@@ -42,11 +42,15 @@ function(_scan_cell_batch target)
   target_include_directories(${target} PRIVATE ${CMAKE_CURRENT_SOURCE_DIR})
   # A constant within a function may have the name of one in another source.
   target_compile_options(${target} PRIVATE -Wno-shadow -Wno-subobject-linkage)
+  get_target_property(max_batch ${target} SCAN_CELL_BATCH)
+  if(NOT max_batch OR max_batch GREATER SCAN_CELL_BATCH)
+    set(max_batch ${SCAN_CELL_BATCH})
+  endif()
   set(number 0)
   foreach(source ${batched})
     get_filename_component(folder ${source} DIRECTORY)
     list(LENGTH batch count)
-    if(count EQUAL SCAN_CELL_BATCH OR (count GREATER_EQUAL _scan_cell_min_batch AND NOT folder STREQUAL last_folder))
+    if(count EQUAL max_batch OR (count GREATER_EQUAL _scan_cell_min_batch AND NOT folder STREQUAL last_folder))
       _scan_cell_write_batch(${target} ${number} ${batch})
       math(EXPR number "${number} + 1")
       set(batch "")
