@@ -26,6 +26,12 @@ namespace {
 
 constexpr double kTimeout = 90;  // [s]
 
+/// [m] half of what lies between two faces whose stripes still make one peak: 1.4 stripes of 7 px,
+/// 0.4 mm each. Rendered, one point of 50 million was further off than 1 mm, and none than 1.15 mm.
+constexpr double kMixedStripe = 2e-3;
+constexpr double kFar = 1e-3;              // [m]
+constexpr std::size_t kMixedStripes = 10;  // beyond kFar; a misplaced profile has hundreds
+
 std::string world(const std::string& name) {
   return ros::package::getPath("scan_cell_sim") + "/config/" + name;
 }
@@ -104,10 +110,20 @@ class Passes : public testing::Test {
   }
 
   static void expect_near_the_truth(const ScanResult& result) {
-    const scan_cell_sim::CloudError error = scan_cell_demo::cloud_error(
-        scan_cell_common::from_message(result.cloud), world("reference_frame.yaml"));
+    const scan_cell_common::Cloud cloud = scan_cell_common::from_message(result.cloud);
+    const scan_cell_sim::CloudError error =
+        scan_cell_demo::cloud_error(cloud, world("reference_frame.yaml"));
     EXPECT_LE(error.rms, 0.08e-3);
-    EXPECT_LE(error.max, 1e-3) << "a point from the wrong plane is centimetres off";
+    EXPECT_LE(error.max, kMixedStripe) << "a point from the wrong plane is centimetres off";
+    EXPECT_LE(points_off_the_truth(cloud, kFar), kMixedStripes);
+  }
+
+  /// @param distance [m]
+  static std::size_t points_off_the_truth(const scan_cell_common::Cloud& cloud, double distance) {
+    const scan_cell_sim::Scene truth(scan_cell_sim::load_world(world("reference_frame.yaml")));
+    return std::count_if(cloud.begin(), cloud.end(), [&](const pcl::PointXYZ& point) {
+      return truth.distance_to_surface(point.getVector3fMap().cast<double>()) > distance;
+    });
   }
 
   static void expect_passes_agree(const ScanResult& result, std::size_t pairs) {
