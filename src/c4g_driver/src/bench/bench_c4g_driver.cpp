@@ -17,6 +17,7 @@
 
 using namespace c4g_driver;  // NOLINT
 using scan_cell_common::ChildProcess;
+using scan_cell_common::Durations;
 
 namespace {
 

@@ -26,6 +26,7 @@
 namespace c4g_driver {
 
 using scan_cell_common::ChildProcess;
+using scan_cell_common::Durations;
 using scan_cell_common::host_now;
 using scan_cell_common::Nanoseconds;
 using scan_cell_common::Refused;

@@ -5,12 +5,12 @@
 #include <cstdint>
 #include <string>
 
-#include "c4g_driver/durations.h"
+#include "scan_cell_common/clock/durations.h"
 
 namespace c4g_driver {
 
 struct BareRun {
-  Durations delays;
+  scan_cell_common::Durations delays;
   double allocations = 0;  //!< per pose
 };
 
@@ -28,7 +28,7 @@ class DelayRuns {
   /// @param priority real-time priority of the receiving thread; 0: normal scheduling
   /// @throw scan_cell_common::Refused if the robot does not move
   /// @throw scan_cell_common::InvalidParameter if the priority is not permitted here
-  Durations driver(double seconds, int priority) const;
+  scan_cell_common::Durations driver(double seconds, int priority) const;
 
  private:
   std::string program_;

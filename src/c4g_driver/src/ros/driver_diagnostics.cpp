@@ -22,7 +22,8 @@ bool got_worse(const LinkReport& before, const LinkReport& link) {
 }
 
 /// Adds NaN if nothing was timed.
-void add(DiagnosticStatusWrapper& status, const std::string& what, const Durations& durations) {
+void add(DiagnosticStatusWrapper& status, const std::string& what,
+         const scan_cell_common::Durations& durations) {
   const auto milliseconds = [&](double share) {
     return durations.count() > 0 ? 1e-6 * static_cast<double>(durations.quantile(share))
                                  : std::nan("");

@@ -7,9 +7,9 @@
 #include <random>
 #include <vector>
 
-#include "c4g_driver/durations.h"
+#include "scan_cell_common/clock/durations.h"
 
-using c4g_driver::Durations;
+using scan_cell_common::Durations;
 using scan_cell_common::Nanoseconds;
 
 TEST(Durations, GiveQuantilesToATenthAndNeverTooSmall) {

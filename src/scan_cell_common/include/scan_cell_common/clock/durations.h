@@ -7,14 +7,12 @@
 
 #include "scan_cell_common/pose/timed_pose.h"
 
-namespace c4g_driver {
+namespace scan_cell_common {
 
 /// Histogram of durations, in classes of an eighth of an octave (9 %), from 1 us to 16 s. Allocates
 /// nothing.
 class Durations {
  public:
-  using Nanoseconds = scan_cell_common::Nanoseconds;  //!< of the steady clock
-
   void add(Nanoseconds duration);  //!< allocates nothing
 
   std::uint64_t count() const { return count_; }  //!< number of durations added
@@ -34,4 +32,4 @@ class Durations {
   std::uint64_t count_ = 0;
 };
 
-}  // namespace c4g_driver
+}  // namespace scan_cell_common

@@ -1,11 +1,11 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "c4g_driver/durations.h"
+#include "scan_cell_common/clock/durations.h"
 
 #include <algorithm>
 #include <cmath>
 
-namespace c4g_driver {
+namespace scan_cell_common {
 namespace {
 
 constexpr double kLeast = 1e3;     // [ns] chosen
@@ -20,7 +20,7 @@ void Durations::add(Nanoseconds duration) {
   ++count_;
 }
 
-Durations::Nanoseconds Durations::quantile(double share) const {
+Nanoseconds Durations::quantile(double share) const {
   if (count_ == 0) return 0;
   const auto wanted =
       std::max<std::uint64_t>(1, std::llround(std::ceil(share * static_cast<double>(count_))));
@@ -39,4 +39,4 @@ Durations Durations::since(const Durations& earlier) const {
   return later;
 }
 
-}  // namespace c4g_driver
+}  // namespace scan_cell_common
