@@ -39,13 +39,13 @@ struct LinkReport {
   SequenceCounts stream;                      //!< of the streamed positions
   DroppedPoses dropped;                       //!< positions that were not delivered
   scan_cell_common::ClockMap::Figures clock;  //!< how the controller's clock maps to the host's
-  scan_cell_common::Durations
-      late;  //!< delay of the stream's datagrams beyond the network's least delay
+  /// Delay of the stream's datagrams beyond the network's least delay.
+  scan_cell_common::Durations late;
   scan_cell_common::Durations round_trip;  //!< of requests answered at the first try
-  scan_cell_common::Durations
-      hand_on;                //!< from the kernel's stamp of a datagram to the delivery of its pose
-  Malformed malformed;        //!< datagrams from the controller
-  std::uint64_t foreign = 0;  //!< datagrams from other senders
+  /// From the kernel's stamp of a datagram to the delivery of its pose.
+  scan_cell_common::Durations hand_on;
+  Malformed malformed;         //!< datagrams from the controller
+  std::uint64_t foreign = 0;   //!< datagrams from other senders
   std::uint64_t overlong = 0;  //!< datagrams that were too long
 };
 

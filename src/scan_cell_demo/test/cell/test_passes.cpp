@@ -115,14 +115,13 @@ class Passes : public testing::Test {
         scan_cell_demo::cloud_error(cloud, world("reference_frame.yaml"));
     EXPECT_LE(error.rms, 0.08e-3);
     EXPECT_LE(error.max, kMixedStripe) << "a point from the wrong plane is centimetres off";
-    EXPECT_LE(points_off_the_truth(cloud, kFar), kMixedStripes);
+    EXPECT_LE(points_far_from_the_truth(cloud), kMixedStripes);
   }
 
-  /// @param distance [m]
-  static std::size_t points_off_the_truth(const scan_cell_common::Cloud& cloud, double distance) {
+  static std::size_t points_far_from_the_truth(const scan_cell_common::Cloud& cloud) {
     const scan_cell_sim::Scene truth(scan_cell_sim::load_world(world("reference_frame.yaml")));
     return std::count_if(cloud.begin(), cloud.end(), [&](const pcl::PointXYZ& point) {
-      return truth.distance_to_surface(point.getVector3fMap().cast<double>()) > distance;
+      return truth.distance_to_surface(point.getVector3fMap().cast<double>()) > kFar;
     });
   }
 

@@ -4,6 +4,7 @@
 #include <pcl/sample_consensus/sac_model_registration.h>
 
 #include <cstdlib>
+#include <memory>
 #include <optional>
 
 #include "geometry/kd_tree.h"

@@ -10,7 +10,7 @@
 namespace tool_path_stretcher {
 namespace {
 
-/// Of a point at this distance from the centre, by at most one metre.
+/// They move a point at the given distance from the centre by at most one metre.
 std::array<Vector7d, 2> weakest(const MotionEquations& equations, double distance) {
   Eigen::Matrix<double, 6, 6> matrix = equations.matrix().topLeftCorner<6, 6>();
   matrix.topRows<3>() /= distance;
